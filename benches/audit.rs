@@ -9,7 +9,7 @@ use vibro_audit::prove::{self, Options};
 use vibro_audit::tex::read;
 
 fn audit(criterion: &mut Criterion) {
-    let vocabulary = claim::vocabulary().expect("the embedded vocabulary");
+    let symbols = claim::vocabulary().expect("the embedded vocabulary");
     let printed = claim::paper().expect("the embedded sheet");
     let wrong = printed.find("22").expect("an equation of the paper");
     let options = Options::default();
@@ -19,10 +19,10 @@ fn audit(criterion: &mut Criterion) {
     });
     let tex = &printed.entries[wrong].tex.tex;
     criterion.bench_function("read the TeX of (22)", |b| {
-        b.iter(|| read(black_box(tex), &vocabulary.names))
+        b.iter(|| read(black_box(tex), &symbols.names))
     });
     criterion.bench_function("read and decide the paper", |b| {
-        b.iter(|| Sheet::read(black_box(claim::EQUATIONS), &vocabulary).map(|sheet| prove::audit(&sheet, &options)))
+        b.iter(|| Sheet::read(black_box(claim::EQUATIONS), &symbols).map(|sheet| prove::audit(&sheet, &options)))
     });
     criterion.bench_function("evidence for (22), six points", |b| {
         b.iter(|| witness(&printed, black_box(wrong), Verdict::Refuted, 6))

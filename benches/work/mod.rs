@@ -148,8 +148,8 @@ pub fn mended() -> String {
 
 /// The proof of (22) as mended, from its premises.
 pub fn proof() -> impl FnMut() -> Decision {
-    let vocabulary = claim::vocabulary().expect("the embedded vocabulary");
-    let sheet = Sheet::read(&mended(), &vocabulary).expect("the mended sheet");
+    let symbols = claim::vocabulary().expect("the embedded vocabulary");
+    let sheet = Sheet::read(&mended(), &symbols).expect("the mended sheet");
     let position = sheet.find("22").expect("an equation of the paper");
     let options = Options::default();
     move || prove::decide(&sheet, black_box(position), &options)

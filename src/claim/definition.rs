@@ -1,11 +1,10 @@
 //! Symbols that a formula defines for itself.
 
 use super::circle::circle;
-use super::nodes::{any, speaks_of};
 use super::size::Sizes;
-use super::substitute::put_in_throughout;
-use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Name, Relation, Tree};
+use crate::tex::{
+    Equation, Name, Relation, Symbols, Tree, any, base_alone, is_constant, pair_of, put_in_throughout, speaks_of,
+};
 use std::collections::HashMap;
 
 /// A symbol that stands for an expression within one entry of a sheet.
@@ -37,27 +36,6 @@ pub(super) fn letters_of(tree: &Tree) -> Vec<Name> {
     found
 }
 
-/// The symbol `\lambda` of a pair such as `\lambda_{1,2}`.
-pub fn pair_of(name: &Name) -> Option<Name> {
-    (name.subscript == "1,2" || name.subscript == r"\pm").then(|| Name {
-        subscript: String::new(),
-        ..name.clone()
-    })
-}
-
-/// Whether a name stands for a number that everybody knows: `\pi`, `e`, `i`.
-pub(super) fn is_constant(name: &Name) -> bool {
-    matches!(name.base.as_str(), r"\pi" | "e" | "i") && *name == base_alone(name)
-}
-
-/// The name with nothing but its letter or command.
-pub(super) fn base_alone(name: &Name) -> Name {
-    Name {
-        base: name.base.clone(),
-        ..Name::default()
-    }
-}
-
 /// The pub(super) constant of integration, where nothing else has its name.
 pub(super) const CONSTANT_OF_INTEGRATION: &str = "C";
 
@@ -73,7 +51,7 @@ pub(super) fn is_defined(name: &Name, locals: &[Local]) -> bool {
 
 /// `x_{1,2} = a \pm b` of two declared symbols as the two equations x_1 = a + b and x_2 = a - b, where neither x nor the
 /// pair itself is declared.
-pub(super) fn two_of_pair(equation: Equation, vocabulary: &Vocabulary) -> Vec<Equation> {
+pub(super) fn two_of_pair(equation: Equation, symbols: &Symbols) -> Vec<Equation> {
     let Tree::Symbol(name, at) = &equation.left else {
         return vec![equation];
     };
@@ -81,8 +59,8 @@ pub(super) fn two_of_pair(equation: Equation, vocabulary: &Vocabulary) -> Vec<Eq
         subscript: subscript.to_string(),
         ..name.clone()
     };
-    let is_pair = *name == of("1,2") && !vocabulary.knows(name) && equation.relation == Relation::Equal;
-    if !is_pair || !has_sign(&equation.right) || ![of("1"), of("2")].iter().all(|one| vocabulary.declares(one)) {
+    let is_pair = *name == of("1,2") && !symbols.knows(name) && equation.relation == Relation::Equal;
+    if !is_pair || !has_sign(&equation.right) || ![of("1"), of("2")].iter().all(|one| symbols.declares(one)) {
         return vec![equation];
     }
     let one = |subscript: &str, upper: bool| Equation {
@@ -116,24 +94,22 @@ pub(super) fn with_sign(tree: &Tree, upper: bool) -> Tree {
     }
 }
 
-impl Vocabulary {
-    /// The definition that an equation is: a new name alone on its left.
-    pub(super) fn definition(&self, equation: &Equation) -> Option<Local> {
-        self.local(equation).filter(|local| !is_constant(&local.name))
-    }
+/// The definition that an equation is: a new name alone on its left.
+pub(super) fn definition(equation: &Equation, symbols: &Symbols) -> Option<Local> {
+    local(equation, symbols).filter(|local| !is_constant(&local.name))
+}
 
-    /// The definition that an equation of `where` is: there `e` and `i` may be defined too.
-    pub(super) fn local(&self, equation: &Equation) -> Option<Local> {
-        let Tree::Symbol(name, _) = &equation.left else {
-            return None;
-        };
-        let new = !self.knows(name) || matches!(name.base.as_str(), "e" | "i");
-        let free = new && !self.declares(name) && pair_of(name).is_none();
-        (equation.relation == Relation::Equal && free).then(|| Local {
-            name: name.clone(),
-            tree: equation.right.clone(),
-        })
-    }
+/// The definition that an equation of `where` is: there `e` and `i` may be defined too.
+pub(super) fn local(equation: &Equation, symbols: &Symbols) -> Option<Local> {
+    let Tree::Symbol(name, _) = &equation.left else {
+        return None;
+    };
+    let new = !symbols.knows(name) || matches!(name.base.as_str(), "e" | "i");
+    let free = new && !symbols.declares(name) && pair_of(name).is_none();
+    (equation.relation == Relation::Equal && free).then(|| Local {
+        name: name.clone(),
+        tree: equation.right.clone(),
+    })
 }
 
 /// A name that is defined by itself, over one definition or more.
@@ -199,15 +175,15 @@ pub(super) fn inlined_in(equation: &Equation, own: &[Local]) -> Option<Equation>
 
 #[cfg(test)]
 mod tests {
-    use super::super::symbols::Symbols;
+    use super::super::symbols::RawSymbols;
     use super::*;
     use crate::tex::{At, Names, read};
 
     fn locals(texts: &[&str]) -> Vec<Local> {
-        let vocabulary = Vocabulary::default();
+        let symbols = Symbols::default();
         let read = |tex: &&str| read(tex, &Names::default()).unwrap();
         let equations = texts.iter().flat_map(read);
-        equations.filter_map(|equation| vocabulary.local(&equation)).collect()
+        equations.filter_map(|equation| local(&equation, &symbols)).collect()
     }
 
     #[test]
@@ -224,13 +200,13 @@ mod tests {
     #[test]
     fn a_pair_of_declared_symbols_is_two_equations() {
         let printed = |parameters: &[&str], tex: &str| -> Vec<String> {
-            let symbols = Symbols {
+            let symbols = RawSymbols {
                 parameters: parameters.iter().map(ToString::to_string).collect(),
-                ..Symbols::default()
+                ..RawSymbols::default()
             };
-            let vocabulary = Vocabulary::read(&symbols).unwrap();
-            let equations = read(tex, &vocabulary.names).unwrap().into_iter();
-            let two = equations.flat_map(|equation| two_of_pair(equation, &vocabulary));
+            let symbols = symbols.read().unwrap();
+            let equations = read(tex, &symbols.names).unwrap().into_iter();
+            let two = equations.flat_map(|equation| two_of_pair(equation, &symbols));
             two.map(|equation| equation.to_string()).collect()
         };
         let both = ["x_1", "x_2", "a"];

@@ -3,10 +3,11 @@
 use super::definition::letters_of;
 use super::entry::{Entry, Role, approached};
 use super::exponents::{is_at_times_whole, is_plainly_not_negative};
-use super::nodes::{any, any_side, holds, speaks_of, with_symbol};
 use super::sheet::Sheet;
-use super::substitute::{flies, number_of};
-use crate::tex::{Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree};
+use crate::tex::{
+    Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree, any, any_side, flies, holds,
+    number_of, speaks_of, with_symbol,
+};
 use std::collections::BTreeSet;
 
 /// The most other readings of a claim that are decided.
@@ -233,7 +234,7 @@ impl Sheet {
             _ => return true,
         };
         // a state at an impact is a number
-        self.vocabulary.impact(of).is_none()
+        self.symbols.impact(of).is_none()
             && self
                 .meanings(of, claim, below)
                 .into_iter()
@@ -254,9 +255,9 @@ impl Sheet {
             .map(|(_, meaning)| meaning);
         let locals = own.flat_map(|entry| &entry.own).filter(|local| local.name == *of);
         // T_1 = t_{k+1} - t_k is a number
-        let is_of_impacts = |meaning: &Tree| !self.vocabulary.impacts_in(meaning).is_empty();
-        let abbreviations = self.vocabulary.abbreviations.iter();
-        let abbreviations = abbreviations.filter(|(name, meaning)| name == of && !is_of_impacts(meaning));
+        let is_of_impacts = |meaning: &Tree| !self.symbols.impacts_in(meaning).is_empty();
+        let abbreviations = self.symbols.abbreviations();
+        let abbreviations = abbreviations.filter(|(name, meaning)| *name == of && !is_of_impacts(meaning));
         let mut found: Vec<&Tree> = Vec::new();
         for meaning in sides
             .chain(locals.map(|local| &local.tree))
@@ -287,14 +288,14 @@ impl Sheet {
                 .any(|(own, other)| is_value(own) && !takes(other))
         };
         let mut given = below.iter().flat_map(|entry| &entry.equations);
-        let is_defined = self.vocabulary.names.defined.contains(&function.bare());
-        !self.vocabulary.is_in_flight(function) && (is_defined || given.any(gives))
+        let is_defined = self.symbols.names.defined.contains(&function.bare());
+        !self.symbols.is_in_flight(function) && (is_defined || given.any(gives))
     }
 
     /// Returns true for the derivative of a state at an impact by one, `\partial t_{k+1}/\partial t_k`.
     fn is_of_impacts(&self, derivative: &Tree) -> bool {
         matches!(derivative, Tree::Partial { of, by, .. }
-            if [of, by].iter().all(|name| self.vocabulary.impact(name).is_some()))
+            if [of, by].iter().all(|name| self.symbols.impact(name).is_some()))
     }
 
     /// The first power with an odd denominator of a base that may be negative.
@@ -308,8 +309,8 @@ impl Sheet {
             any(side, &mut |node| {
                 if let Tree::RealPower(base, exponent, _) = node
                     && odd_root(exponent).is_some()
-                    && !is_plainly_not_negative(base, &self.vocabulary, &assumed)
-                    && !self.vocabulary.may_be_complex(base)
+                    && !is_plainly_not_negative(base, &self.symbols, &assumed)
+                    && !self.symbols.may_be_complex(base)
                 {
                     found.get_or_insert_with(|| DoubtKind::OddRoot { power: node.clone() });
                 }
@@ -322,7 +323,7 @@ impl Sheet {
     /// The powers with exponents that are integers at times of bases that may be negative.
     fn powers_of_signs(&self, claim: &Entry, below: &[&Entry]) -> Vec<DoubtKind> {
         let assumed: Vec<&Condition> = claim.assume.iter().map(|(condition, _)| condition).collect();
-        let mut integers = self.vocabulary.integers.clone();
+        let mut integers: Vec<Name> = self.symbols.integers().cloned().collect();
         integers.extend(assumed.iter().filter_map(|condition| match condition {
             Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
             _ => None,
@@ -336,7 +337,7 @@ impl Sheet {
             any(side, &mut |node| {
                 if let Tree::RealPower(base, exponent, _) = node
                     && is_at_times_whole(exponent, &integers)
-                    && !is_plainly_not_negative(base, &self.vocabulary, &assumed)
+                    && !is_plainly_not_negative(base, &self.symbols, &assumed)
                 {
                     let (base, exponent) = ((**base).clone(), (**exponent).clone());
                     found.push(DoubtKind::PowerOfSign { base, exponent });
@@ -366,7 +367,7 @@ impl Sheet {
             .iter()
             .flat_map(|(condition, _)| condition.sides())
             .collect();
-        for name in &self.vocabulary.parameters {
+        for name in self.symbols.parameters() {
             let stands = || {
                 claim
                     .equations
@@ -389,9 +390,7 @@ impl Sheet {
     /// function.
     fn is_unknown(&self, name: &Name, claim: &Entry, is_restricted: bool) -> bool {
         let is_argument = |node: &Tree| match node {
-            Tree::Call(function, argument, _) => {
-                self.vocabulary.names.is_function(function) && is_symbol(argument, name)
-            }
+            Tree::Call(function, argument, _) => self.symbols.names.is_function(function) && is_symbol(argument, name),
             _ => false,
         };
         let is_introduced = |equation: &Equation| {
@@ -403,7 +402,7 @@ impl Sheet {
         };
         let everywhere =
             claim.equations.len() > 1 && claim.equations.iter().all(|equation| is_one_sided(name, equation));
-        let is_integer = || self.vocabulary.integers.contains(name) || claim.of_some.contains(name);
+        let is_integer = || self.symbols.is_integer(name) || claim.of_some.contains(name);
         !self.is_variable(name)
             && !is_integer()
             && (everywhere || (!is_restricted && claim.equations.iter().any(is_introduced)))
@@ -412,7 +411,7 @@ impl Sheet {
     /// Returns true for times, and for letters that stand for variables by custom.
     fn is_variable(&self, name: &Name) -> bool {
         let by_custom = name.subscript.is_empty() && ["t", "u", "v", "w", "x", "y", "z"].contains(&name.base.as_str());
-        by_custom || self.vocabulary.times.contains(&name.bare())
+        by_custom || self.symbols.is_time(&name.bare())
     }
 
     /// Returns true if a letter stands between two bounds that are assumed, and an unknown function is taken there or the letter
@@ -434,9 +433,7 @@ impl Sheet {
             })
         };
         let is_argument = |node: &Tree| match node {
-            Tree::Call(function, argument, _) => {
-                self.vocabulary.names.is_function(function) && speaks_of(argument, name)
-            }
+            Tree::Call(function, argument, _) => self.symbols.names.is_function(function) && speaks_of(argument, name),
             _ => false,
         };
         // \sin x - \sin y = (x - y) \cos\xi
@@ -454,25 +451,25 @@ impl Sheet {
     /// may be meant for each. A premise with an abbreviation of states at two impacts, such as T_1 = t_{k+1} - t_k, is about
     /// that step alone.
     fn one_step(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
-        let letter = &self.vocabulary.index;
-        let runs = self.vocabulary.indices.iter().any(|name| name.base == *letter);
+        let letter = &self.symbols.index;
+        let runs = self.symbols.indices().any(|name| name.base == *letter);
         let steps = below
             .iter()
             .filter(|entry| entry.role != Role::Definition)
             .flat_map(|entry| &entry.equations);
         let steps: Vec<(&Equation, BTreeSet<i32>)> = steps
-            .filter(|equation| !flies(equation, &self.vocabulary))
-            .map(|equation| (equation, self.vocabulary.impacts(equation)))
+            .filter(|equation| !flies(equation, &self.symbols))
+            .map(|equation| (equation, self.symbols.impacts(equation)))
             .collect();
         let said: BTreeSet<i32> = steps.iter().flat_map(|(_, impacts)| impacts).copied().collect();
         let asked = claim
             .equations
             .iter()
-            .flat_map(|equation| self.vocabulary.impacts(equation));
+            .flat_map(|equation| self.symbols.impacts(equation));
         let goes_on = asked.into_iter().any(|index| !said.contains(&index));
         let is_fixed = |equation: &Equation| {
-            self.vocabulary.abbreviations.iter().any(|(name, meaning)| {
-                any_side(equation, &mut |node| is_symbol(node, name)) && self.vocabulary.impacts_in(meaning).len() > 1
+            self.symbols.abbreviations().any(|(name, meaning)| {
+                any_side(equation, &mut |node| is_symbol(node, name)) && self.symbols.impacts_in(meaning).len() > 1
             })
         };
         let is_step = steps

@@ -1,22 +1,19 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
-use super::definition::is_constant_of_integration;
-use super::definition::{Local, circular, inlined_in, is_constant, is_defined, two_of_pair};
+use super::definition::{Local, circular, inlined_in, is_defined, two_of_pair};
+use super::definition::{definition, is_constant_of_integration, local};
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
 use super::implication::{
     Stated, Way, assumed, has_one_sided_sign, implication, integers_alone, is_equivalence, listed_values, new_integer,
     signs_go_together, stated_of, unseen,
 };
-use super::nodes::holds_indefinite;
-use super::nodes::{any, any_side, speaks_of};
-use super::size::Budget;
-use super::substitute::{flies, number_of, rewrite, tree_runs};
+use super::kinds::{List, is_complex_in, listed_with, lists_of};
+use super::size::{Budget, Sizes};
 use super::verdict::Verdict;
-use super::vocabulary::{Vocabulary, index_of};
-use crate::number::{Field, Rational};
 use crate::tex::{
-    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree, nearest, read, read_conditions,
+    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, flies,
+    holds_indefinite, index_of, is_constant, nearest, number_of, read, read_conditions, rewrite, speaks_of, tree_runs,
     with_commands,
 };
 use serde::Deserialize;
@@ -165,26 +162,23 @@ impl Entry {
     ///
     /// # Errors
     /// The [`Fault`] of a function that is defined twice.
-    pub(super) fn take_functions(&mut self, vocabulary: &Vocabulary) -> Result<Given, Fault> {
+    pub(super) fn take_functions(&mut self, symbols: &Symbols) -> Result<Given, Fault> {
         let mut given = Given::default();
         let problem = |source: &Source, (at, problem): (usize, String)| source.fault(at, problem).of(&self.label);
         let mut rest = Vec::new();
         for (equation, source) in &self.local {
-            if !given
-                .take(equation, vocabulary)
-                .map_err(|found| problem(source, found))?
-            {
+            if !given.take(equation, symbols).map_err(|found| problem(source, found))? {
                 rest.push((equation.clone(), source.clone()));
             }
         }
         let mut stated = Vec::new();
         for equation in &self.equations {
             if self.role != Role::Claim {
-                Given::refuse_at_parameter(equation, vocabulary).map_err(|found| problem(&self.tex, found))?;
+                Given::refuse_at_parameter(equation, symbols).map_err(|found| problem(&self.tex, found))?;
             }
             let is_done = self.role == Role::Definition
                 && given
-                    .take(equation, vocabulary)
+                    .take(equation, symbols)
                     .map_err(|found| problem(&self.tex, found))?;
             if !is_done {
                 stated.push(equation.clone());
@@ -199,14 +193,14 @@ impl Entry {
     ///
     /// # Errors
     /// The [`Fault`] of what cannot be written out.
-    pub(super) fn write_out(&mut self, own: Given, below: &[&Given], vocabulary: &Vocabulary) -> Result<(), Fault> {
+    pub(super) fn write_out(&mut self, own: Given, below: &[&Given], symbols: &Symbols) -> Result<(), Fault> {
         let fault = |source: &Source, (at, problem): (usize, String)| source.fault(at, problem).of(&self.label);
         let mut given = own;
         given
             .join(below)
-            .and_then(|()| given.close(vocabulary))
+            .and_then(|()| given.close(symbols))
             .map_err(|found| fault(&self.tex, found))?;
-        if given.is_idle(vocabulary) {
+        if given.is_idle(symbols) {
             return Ok(());
         }
         for (equation, source) in &self.with {
@@ -218,11 +212,8 @@ impl Entry {
                 return Err(fault(source, (equation.at.0, problem)));
             }
         }
-        let written = |tree: &Tree, source: &Source| {
-            given
-                .written_out(tree, vocabulary)
-                .map_err(|found| fault(source, found))
-        };
+        let written =
+            |tree: &Tree, source: &Source| given.written_out(tree, symbols).map_err(|found| fault(source, found));
         let both = |equation: &Equation, source: &Source| -> Result<Equation, Fault> {
             let (left, right) = (written(&equation.left, source)?, written(&equation.right, source)?);
             Ok(Equation {
@@ -259,15 +250,15 @@ impl Entry {
     ///
     /// # Errors
     /// The [`Fault`] of a definition given twice or by itself.
-    pub(super) fn part(&mut self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+    pub(super) fn part(&mut self, symbols: &Symbols, shared: &[Local]) -> Result<(), Fault> {
         let (mut own, mut given): (Vec<Local>, _) = (Vec::new(), Vec::new());
         for (equation, source) in &self.local {
-            match vocabulary.local(equation) {
+            match local(equation, symbols) {
                 Some(local) if is_defined(&local.name, &own) => {
                     let problem = format!("`{}` is defined twice", local.name);
                     return Err(source.fault(equation.at.0, problem).of(&self.label));
                 }
-                Some(local) if vocabulary.uses(&local.name) => {
+                Some(local) if symbols.uses(&local.name) => {
                     let problem = format!(
                         "`{0}` is the number {0} in [symbols]: give this another name",
                         local.name
@@ -280,16 +271,12 @@ impl Entry {
         }
         let mut stated = Vec::new();
         for equation in &self.equations {
-            let new = vocabulary
-                .definition(equation)
+            let new = definition(equation, symbols)
                 .filter(|local| self.role != Role::Premise && !is_defined(&local.name, &own))
                 .filter(|local| !is_defined(&local.name, shared));
             match new {
                 Some(local) => own.push(local),
-                None if equation.explains
-                    && self.role != Role::Premise
-                    && vocabulary.definition(equation).is_none() =>
-                {
+                None if equation.explains && self.role != Role::Premise && definition(equation, symbols).is_none() => {
                     let problem = "a condition within a formula: write it as an `assume` of the entry";
                     return Err(self.tex.fault(equation.at.0, problem).of(&self.label));
                 }
@@ -312,18 +299,18 @@ impl Entry {
     /// that states nothing.
     pub(super) fn check(
         &mut self,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         shared: &[Local],
         elsewhere: &HashSet<Name>,
     ) -> Result<(), Fault> {
         if self.role == Role::Claim && self.stated.is_empty() {
             let name = self.own.last().map(|local| local.name.clone()).unwrap_or_default();
-            let unknown = vocabulary.unknown(&name, 0);
+            let unknown = symbols.unknown(&name, 0);
             let problem = "nothing is left to decide: each left side is a symbol that is declared nowhere";
             let message = format!("{}; {problem}{}", unknown.message, unknown.known);
             return Err(self.tex.fault(0, message).of(&self.label));
         }
-        self.check_size(vocabulary, shared)?;
+        self.check_size(symbols, shared)?;
         let (mut borrowed, mut faults, mut messages) = (Vec::new(), Vec::new(), HashSet::new());
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
@@ -334,11 +321,11 @@ impl Entry {
             .collect();
         let is_antiderivative = self.equations.iter().any(holds_indefinite);
         let mut running: HashSet<Name> = HashSet::new();
-        for (tree, _) in self.trees(vocabulary) {
-            functions_that_run(tree, vocabulary, &mut running);
+        for (tree, _) in self.trees(symbols) {
+            functions_that_run(tree, symbols, &mut running);
         }
-        for (tree, source) in self.trees(vocabulary) {
-            if let Some((name, at)) = product_or_value(tree, &running, vocabulary) {
+        for (tree, source) in self.trees(symbols) {
+            if let Some((name, at)) = product_or_value(tree, &running, symbols) {
                 let problem = format!(
                     "`{name}(...)` can be read as a value of `{name}` or as a product: write `{name} \\cdot (...)`, or give each `{name}` its argument"
                 );
@@ -350,8 +337,8 @@ impl Entry {
                 );
                 return Err(source.fault(at, problem).of(&self.label));
             }
-            let is_formula = |name: &Name| mine(name) || vocabulary.meaning(name, &|_| false).is_some();
-            if let Some((at, problem)) = wrong_letter(tree, &source.tex, vocabulary, &is_formula) {
+            let is_formula = |name: &Name| mine(name) || symbols.meaning(name, &|_| false).is_some();
+            if let Some((at, problem)) = wrong_letter(tree, &source.tex, symbols, &is_formula) {
                 return Err(source.fault(at, problem).of(&self.label));
             }
             let extra = |name: &Name| {
@@ -360,7 +347,7 @@ impl Entry {
                     || (borrows && elsewhere.contains(name))
                     || (is_antiderivative && is_constant_of_integration(name))
             };
-            for found in vocabulary.undeclared(tree, &extra) {
+            for found in symbols.undeclared(tree, &extra) {
                 if messages.insert(found.message.clone()) {
                     // The names that are known are the same for all.
                     let known = if faults.is_empty() { found.known } else { String::new() };
@@ -371,7 +358,7 @@ impl Entry {
                 if let Tree::Symbol(name, at) = node
                     && elsewhere.contains(name)
                     && !mine(name)
-                    && !vocabulary.knows(name)
+                    && !symbols.knows(name)
                 {
                     borrowed.push((name.clone(), at.0));
                 }
@@ -381,10 +368,10 @@ impl Entry {
         if let Some(fault) = faults.into_iter().reduce(Fault::and) {
             return Err(fault.of(&self.label));
         }
-        self.check_brackets(vocabulary, shared)?;
-        self.check_written_out(vocabulary, shared)?;
-        self.check_order(vocabulary)?;
-        self.check_times_of_assume(vocabulary)?;
+        self.check_brackets(symbols, shared)?;
+        self.check_written_out(symbols, shared)?;
+        self.check_order(symbols)?;
+        self.check_times_of_assume(symbols)?;
         let mut replaced = HashSet::new();
         for (equation, source) in &self.with {
             let is_mine = |node: &Tree| matches!(node, Tree::Symbol(name, _) if mine(name));
@@ -397,18 +384,15 @@ impl Entry {
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
             let is_single = |name: &Name| {
-                let is_abbreviation = || vocabulary.abbreviations.iter().any(|(known, _)| known == name);
-                let is_time = || vocabulary.running.as_ref() == Some(name) || vocabulary.impact(name).is_some();
-                vocabulary.parameters.contains(name)
-                    || vocabulary.is_index_letter(name)
-                    || is_abbreviation()
-                    || is_time()
+                let is_abbreviation = || symbols.abbreviation(name).is_some();
+                let is_time = || symbols.running() == Some(name) || symbols.impact(name).is_some();
+                symbols.is_parameter(name) || symbols.is_index_letter(name) || is_abbreviation() || is_time()
             };
-            let is_impact = |tree: &Tree| matches!(tree, Tree::Symbol(time, _) if vocabulary.impact(time).is_some());
+            let is_impact = |tree: &Tree| matches!(tree, Tree::Symbol(time, _) if symbols.impact(time).is_some());
             let name = match &equation.left {
                 Tree::Symbol(name, _) if is_single(name) => name,
                 // the value of a state at an impact, which is given beside the premises
-                Tree::Call(state, time, _) if vocabulary.states.contains(&state.bare()) && is_impact(time) => continue,
+                Tree::Call(state, time, _) if symbols.is_state(&state.bare()) && is_impact(time) => continue,
                 _ => {
                     let problem = "`with` puts something in for a symbol: write what else holds as a premise";
                     return Err(source.fault(equation.at.0, problem).of(&self.label));
@@ -419,13 +403,13 @@ impl Entry {
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
             let runs =
-                |node: &Tree| matches!(node, Tree::Symbol(other, _) if other != name && vocabulary.is_running(other));
+                |node: &Tree| matches!(node, Tree::Symbol(other, _) if other != name && is_running(symbols, other));
             if any(&equation.right, &mut |node| runs(node)) {
                 let problem = "what runs in the premises cannot be put in: it would be taken for theirs";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
-            let is_replaced = !vocabulary.is_indexed(name) && !vocabulary.is_index_letter(name);
-            if let Some(listed) = vocabulary.listed_with(name).filter(|_| is_replaced) {
+            let is_replaced = !symbols.is_indexed(name) && !symbols.is_index_letter(name);
+            if let Some(listed) = listed_with(symbols, name).filter(|_| is_replaced) {
                 let problem =
                     format!("`{name}` stands in `{listed}`, of which [symbols] says what it may be: write a premise");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
@@ -434,18 +418,18 @@ impl Entry {
                 let problem = format!("`{name}` is replaced twice");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
-            if vocabulary.is_index_letter(name)
-                && index_of(&equation.right.to_string().replace(' ', ""), &vocabulary.index).is_none()
+            if symbols.is_index_letter(name)
+                && index_of(&equation.right.to_string().replace(' ', ""), &symbols.index).is_none()
             {
                 let problem = format!("`{name}` can be replaced by `{name}+1` and the like only");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
         }
-        self.check_shift(vocabulary)?;
+        self.check_shift(symbols)?;
         let declared = self
             .stated
             .iter()
-            .find(|equation| matches!(&equation.left, Tree::Symbol(name, _) if vocabulary.declares(name)));
+            .find(|equation| matches!(&equation.left, Tree::Symbol(name, _) if symbols.declares(name)));
         if let Some(equation) =
             declared.filter(|equation| self.role == Role::Definition && equation.relation == Relation::Equal)
         {
@@ -466,22 +450,22 @@ impl Entry {
             );
             return Err(self.tex.fault(0, problem).of(&self.label));
         }
-        let declared = self.declared_of_with(vocabulary)?;
+        let declared = self.declared_of_with(symbols)?;
         self.assume.extend(declared);
         self.borrowed = borrowed;
         Ok(())
     }
 
     /// Refuses what would be too large with its definitions and abbreviations put in.
-    fn check_size(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+    fn check_size(&self, symbols: &Symbols, shared: &[Local]) -> Result<(), Fault> {
         // what is defined by itself is said where a claim rests on it
         let locals: Vec<Local> = self.own.iter().chain(shared).cloned().collect();
         if circular(&locals).is_some() {
             return Ok(());
         }
-        let mut sizes = vocabulary.sizes(locals.iter().map(Local::pair));
+        let mut sizes = Sizes::within_sheet(symbols, locals.iter().map(Local::pair));
         let budget = Budget::of_claim();
-        for (tree, source) in self.trees(vocabulary) {
+        for (tree, source) in self.trees(symbols) {
             sizes
                 .of(tree)
                 .and_then(|size| budget.spend(size))
@@ -491,15 +475,15 @@ impl Entry {
     }
 
     /// Refuses a bracket behind a name that stands for something at every time: it may hold a time or a factor.
-    fn check_brackets(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
-        let abbreviations = vocabulary.abbreviations.iter().map(|(name, tree)| (name, tree));
+    fn check_brackets(&self, symbols: &Symbols, shared: &[Local]) -> Result<(), Fault> {
+        let abbreviations = symbols.abbreviations();
         let locals = self.own.iter().chain(shared).map(|local| (&local.name, &local.tree));
-        let moves = |tree: &Tree| vocabulary.is_law(&Equation::between(tree.clone(), tree.clone()));
+        let moves = |tree: &Tree| symbols.is_law(&Equation::between(tree.clone(), tree.clone()));
         let moving = abbreviations.chain(locals).filter(|(_, tree)| moves(tree));
         let moving: Vec<String> = moving
             .map(|(name, _)| format!("{}(", name.to_string().replace(' ', "")))
             .collect();
-        let mut sources: Vec<&Source> = self.trees(vocabulary).into_iter().map(|(_, source)| source).collect();
+        let mut sources: Vec<&Source> = self.trees(symbols).into_iter().map(|(_, source)| source).collect();
         sources.dedup_by(|one, other| one.tex == other.tex);
         for source in sources {
             let shown = with_commands(&source.tex)
@@ -523,7 +507,7 @@ impl Entry {
 
     /// Refuses what the reader writes out where that does not hold: degrees where `\pi` is declared to be something
     /// else, and a maximum of values that may be complex.
-    fn check_written_out(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+    fn check_written_out(&self, symbols: &Symbols, shared: &[Local]) -> Result<(), Fault> {
         let pi = Name {
             base: r"\pi".to_string(),
             ..Name::default()
@@ -533,28 +517,25 @@ impl Entry {
                 .iter()
                 .any(|sign| tex.contains(sign))
         };
-        let complex = self.complex_definitions(vocabulary);
+        let complex = self.complex_definitions(symbols);
         let is_defined = |name: &Name| {
             let mut foreign = shared.iter().filter(|local| local.name == *name);
-            complex.contains(name) || foreign.any(|local| vocabulary.may_be_complex(&local.tree))
+            complex.contains(name) || foreign.any(|local| symbols.may_be_complex(&local.tree))
         };
-        for (tree, source) in self.trees(vocabulary) {
-            if vocabulary.declares(&pi) && has_degrees(&source.tex) {
+        for (tree, source) in self.trees(symbols) {
+            if symbols.declares(&pi) && has_degrees(&source.tex) {
                 let problem = "a degree is \\pi/180, and `\\pi` is declared to be something else";
                 return Err(source.fault(0, problem).of(&self.label));
             }
             let mut found = None;
-            any(
-                &rewrite(tree, &|name| vocabulary.meaning(name, &|_| false)),
-                &mut |node| {
-                    let values = node.extremum_of().into_iter().flatten();
-                    found = values
-                        .filter_map(|value| vocabulary.complex_in(value, &is_defined))
-                        .next()
-                        .cloned();
-                    found.is_some()
-                },
-            );
+            any(&rewrite(tree, &|name| symbols.meaning(name, &|_| false)), &mut |node| {
+                let values = node.extremum_of().into_iter().flatten();
+                found = values
+                    .filter_map(|value| symbols.complex_in(value, &is_defined))
+                    .next()
+                    .cloned();
+                found.is_some()
+            });
             if let Some(name) = found {
                 let problem = format!("`{name}` is complex, and complex values have no order");
                 return Err(source.fault(0, problem).of(&self.label));
@@ -564,7 +545,7 @@ impl Entry {
     }
 
     /// Refuses a shift of the index beside something put in for what the index counts: which comes first would matter.
-    fn check_shift(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
+    fn check_shift(&self, symbols: &Symbols) -> Result<(), Fault> {
         let replaces = |test: &dyn Fn(&Name) -> bool| {
             let replaced = self.with.iter();
             let found =
@@ -575,10 +556,10 @@ impl Entry {
                 .next()
         };
         let counted = |name: &Name| {
-            let is_abbreviation = vocabulary.abbreviations.iter().any(|(known, _)| known == name);
-            is_abbreviation || vocabulary.is_indexed(name)
+            let is_abbreviation = symbols.abbreviation(name).is_some();
+            is_abbreviation || symbols.is_indexed(name)
         };
-        match (replaces(&|name| vocabulary.is_index_letter(name)), replaces(&counted)) {
+        match (replaces(&|name| symbols.is_index_letter(name)), replaces(&counted)) {
             (Some(_), Some((equation, source))) => {
                 let problem = "which comes first, the shift of the index or this? write it as a premise";
                 Err(source.fault(equation.at.0, problem).of(&self.label))
@@ -593,15 +574,15 @@ impl Entry {
     ///
     /// # Errors
     /// The [`Fault`] of the substitution.
-    pub(super) fn check_put_in(&self, law: &Equation, locals: &[Local], vocabulary: &Vocabulary) -> Result<(), Fault> {
-        let written = inlined_in(law, locals).map(|law| vocabulary.expanded(&law));
+    pub(super) fn check_put_in(&self, law: &Equation, locals: &[Local], symbols: &Symbols) -> Result<(), Fault> {
+        let written = inlined_in(law, locals).map(|law| symbols.expanded(&law));
         for (equation, source) in &self.with {
             let Tree::Symbol(name, _) = &equation.left else {
                 continue;
             };
             let mut conjugates =
-                |node: &Tree| matches!(node, Tree::Symbol(other, _) if vocabulary.is_conjugate_of(other, name));
-            if vocabulary.complex.contains(name)
+                |node: &Tree| matches!(node, Tree::Symbol(other, _) if symbols.is_conjugate_of(other, name));
+            if symbols.is_complex(name)
                 && written
                     .as_ref()
                     .is_none_or(|written| any_side(written, &mut conjugates))
@@ -616,8 +597,8 @@ impl Entry {
             .with
             .iter()
             .find_map(|(equation, source)| match (&equation.left, &equation.right) {
-                (Tree::Symbol(name, _), Tree::Symbol(time, _)) if vocabulary.running.as_ref() == Some(name) => {
-                    Some((equation, source, vocabulary.impact(time)?))
+                (Tree::Symbol(name, _), Tree::Symbol(time, _)) if symbols.running() == Some(name) => {
+                    Some((equation, source, symbols.impact(time)?))
                 }
                 _ => None,
             });
@@ -628,31 +609,29 @@ impl Entry {
             let problem = "what this is put into is too large once its definitions are put in";
             return Err(source.fault(equation.at.0, problem).of(&self.label));
         };
-        let symbols = self.with.iter().filter_map(|(other, _)| match &other.left {
-            Tree::Symbol(name, _) if vocabulary.running.as_ref() != Some(name) => {
-                Some((name.clone(), other.right.clone()))
-            }
+        let others = self.with.iter().filter_map(|(other, _)| match &other.left {
+            Tree::Symbol(name, _) if symbols.running() != Some(name) => Some((name.clone(), other.right.clone())),
             _ => None,
         });
-        let others: Vec<(Name, Tree)> = symbols.collect();
-        let written = vocabulary.substituted(&vocabulary.expanded(&written), &others);
-        let first = vocabulary.impacts(&written).first().copied();
+        let others: Vec<(Name, Tree)> = others.collect();
+        let written = symbols.substituted(&symbols.expanded(&written), &others);
+        let first = symbols.impacts(&written).first().copied();
         let is_kept = |name: &Name| {
             let bare = Name {
                 primes: 0,
                 ..name.bare()
             };
-            name.primes == 0 && vocabulary.continuous.contains(&bare)
+            name.primes == 0 && symbols.is_continuous(&bare)
         };
         let mut changes = |node: &Tree| match node {
             Tree::Call(name, ..) | Tree::Symbol(name, _) => {
-                name.subscript.is_empty() && vocabulary.is_in_flight(name) && !is_kept(name)
+                name.subscript.is_empty() && symbols.is_in_flight(name) && !is_kept(name)
             }
             _ => false,
         };
         let is_end = first.is_some_and(|first| impact == first + 1);
         let is_start = first.is_none_or(|first| impact == first);
-        if !flies(&written, vocabulary) || is_end || (is_start && !any_side(&written, &mut changes)) {
+        if !flies(&written, symbols) || is_end || (is_start && !any_side(&written, &mut changes)) {
             return Ok(());
         }
         let problem =
@@ -661,20 +640,20 @@ impl Entry {
     }
 
     /// What `[symbols]` says of the symbols that `with` replaces, said of what is put in; a number is held against it here.
-    fn declared_of_with(&self, vocabulary: &Vocabulary) -> Result<Vec<(Condition, Source)>, Fault> {
+    fn declared_of_with(&self, symbols: &Symbols) -> Result<Vec<(Condition, Source)>, Fault> {
         let mut declared = Vec::new();
         for (equation, source) in &self.with {
             let Tree::Symbol(name, _) = &equation.left else {
                 continue;
             };
             let fault = |problem: String| Err(source.fault(equation.at.0, problem).of(&self.label));
-            let is_said = vocabulary.declares(name) && !vocabulary.is_index_letter(name);
-            if is_said && !vocabulary.complex.contains(name) && vocabulary.is_complex_in(&equation.right) {
+            let is_said = symbols.declares(name) && !symbols.is_index_letter(name);
+            if is_said && !symbols.is_complex(name) && is_complex_in(symbols, &equation.right) {
                 return fault(format!("`{name}` is real: it cannot be {}", equation.right));
             }
             let number = number_of(&equation.right);
-            let is_said_already = |list: &List| matches!(&equation.right, Tree::Symbol(other, _) if vocabulary.lists_of(other).contains(list));
-            for list in vocabulary.lists_of(name) {
+            let is_said_already = |list: &List| matches!(&equation.right, Tree::Symbol(other, _) if lists_of(symbols, other).contains(list));
+            for list in lists_of(symbols, name) {
                 match &number {
                     Some(number) if !list.allows(number) => {
                         let problem = format!("`{name}` stands in `{}`: it cannot be {}", list.name, equation.right);
@@ -690,12 +669,12 @@ impl Entry {
     }
 
     /// Refuses a condition on the running time that does not hold at one time, that of what the entry states.
-    fn check_times_of_assume(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
-        let runs = |tree: &Tree| tree_runs(tree, vocabulary);
+    fn check_times_of_assume(&self, symbols: &Symbols) -> Result<(), Fault> {
+        let runs = |tree: &Tree| tree_runs(tree, symbols);
         let moves = |tree: &Tree| {
             any(tree, &mut |node| match node {
-                Tree::Call(name, argument, _) => vocabulary.names.is_function(name) && runs(argument),
-                Tree::Symbol(name, _) => vocabulary.names.is_function(name) && runs(node),
+                Tree::Call(name, argument, _) => symbols.names.is_function(name) && runs(argument),
+                Tree::Symbol(name, _) => symbols.names.is_function(name) && runs(node),
                 _ => false,
             })
         };
@@ -723,7 +702,7 @@ impl Entry {
     }
 
     /// Refuses an inequality between values that may be complex.
-    fn check_order(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
+    fn check_order(&self, symbols: &Symbols) -> Result<(), Fault> {
         let conditions = self.assume.iter().filter_map(|(condition, source)| match condition {
             Condition::Relation(relation) => Some((relation, source)),
             Condition::Integer(_) => None,
@@ -735,9 +714,9 @@ impl Entry {
             .chain(conditions)
             .filter(|(equation, _)| ordered(equation.relation))
         {
-            let defined = complex.get_or_insert_with(|| self.complex_definitions(vocabulary));
+            let defined = complex.get_or_insert_with(|| self.complex_definitions(symbols));
             for side in [&equation.left, &equation.right] {
-                if let Some(name) = vocabulary.complex_in(side, &|name| defined.contains(name)) {
+                if let Some(name) = symbols.complex_in(side, &|name| defined.contains(name)) {
                     let problem = format!("`{name}` is complex, and complex values have no order");
                     return Err(source.fault(equation.at.0, problem).of(&self.label));
                 }
@@ -747,12 +726,12 @@ impl Entry {
     }
 
     /// The symbols that the entry defines by an expression that may be complex.
-    fn complex_definitions(&self, vocabulary: &Vocabulary) -> HashSet<&Name> {
+    fn complex_definitions(&self, symbols: &Symbols) -> HashSet<&Name> {
         let mut complex = HashSet::new();
         loop {
             let new = self.own.iter().find(|local| {
                 let known = |name: &Name| complex.contains(name);
-                !complex.contains(&local.name) && vocabulary.complex_in(&local.tree, &known).is_some()
+                !complex.contains(&local.name) && symbols.complex_in(&local.tree, &known).is_some()
             });
             match new {
                 Some(local) => complex.insert(&local.name),
@@ -805,10 +784,10 @@ impl Entry {
     }
 
     /// Both sides of everything that the entry says, with their sources; a shift of the index, as `k = k+1`, left out.
-    pub(super) fn trees(&self, vocabulary: &Vocabulary) -> Vec<(&Tree, &Source)> {
+    pub(super) fn trees(&self, symbols: &Symbols) -> Vec<(&Tree, &Source)> {
         let stated = self.equations.iter().flat_map(|equation| sides(equation, &self.tex));
         let local = self.local.iter().flat_map(|(equation, source)| sides(equation, source));
-        let is_shift = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.is_index_letter(name));
+        let is_shift = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if symbols.is_index_letter(name));
         let with = self.with.iter().filter(|(equation, _)| !is_shift(&equation.left));
         let with = with.flat_map(|(equation, source)| sides(equation, source));
         let assume = self.assume.iter().flat_map(|(condition, source)| match condition {
@@ -837,12 +816,12 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
 }
 
 /// Takes the functions that stand in a tree at the running time, or without an argument.
-fn functions_that_run(tree: &Tree, vocabulary: &Vocabulary, found: &mut HashSet<Name>) {
-    let runs = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if Some(name) == vocabulary.names.running.as_ref());
+fn functions_that_run(tree: &Tree, symbols: &Symbols, found: &mut HashSet<Name>) {
+    let runs = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if Some(name) == symbols.names.running.as_ref());
     any(tree, &mut |node| {
         match node {
-            Tree::Symbol(name, _) if vocabulary.names.is_function(name) => drop(found.insert(name.clone())),
-            Tree::Call(name, argument, _) if vocabulary.names.is_function(name) && runs(argument) => {
+            Tree::Symbol(name, _) if symbols.names.is_function(name) => drop(found.insert(name.clone())),
+            Tree::Call(name, argument, _) if symbols.names.is_function(name) && runs(argument) => {
                 found.insert(name.clone());
             }
             _ => {}
@@ -853,11 +832,11 @@ fn functions_that_run(tree: &Tree, vocabulary: &Vocabulary, found: &mut HashSet<
 
 /// A function of time before a bracket of several terms or factors that is no time, while it stands at the running time too, and
 /// where: as in `\dot{x} (m \ddot{x} + k x)`, a product.
-fn product_or_value(tree: &Tree, running: &HashSet<Name>, vocabulary: &Vocabulary) -> Option<(Name, usize)> {
+fn product_or_value(tree: &Tree, running: &HashSet<Name>, symbols: &Symbols) -> Option<(Name, usize)> {
     let is_time = |node: &Tree| match node {
         Tree::Symbol(name, _) => {
             let is_named = matches!(name.base.as_str(), "t" | "T" | "s" | r"\tau");
-            is_named || Some(name) == vocabulary.names.running.as_ref() || vocabulary.is_index_letter(name)
+            is_named || Some(name) == symbols.names.running.as_ref() || symbols.is_index_letter(name)
         }
         _ => false,
     };
@@ -891,12 +870,12 @@ fn product_or_value(tree: &Tree, running: &HashSet<Name>, vocabulary: &Vocabular
 fn wrong_letter(
     tree: &Tree,
     tex: &str,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     is_formula: &dyn Fn(&Name) -> bool,
 ) -> Option<(usize, String)> {
     let applies = |of: &Tree, by: &Name| any(of, &mut |node| matches!(node, Tree::Call(name, ..) if name == by));
-    let is_function = |name: &Name| vocabulary.names.is_function(name);
-    let runs = |name: &Name| vocabulary.names.running.as_ref() == Some(name);
+    let is_function = |name: &Name| symbols.names.is_function(name);
+    let runs = |name: &Name| symbols.names.running.as_ref() == Some(name);
     let is_partial = |by: &Name| {
         let mut parts = tex
             .match_indices(r"\partial")
@@ -938,7 +917,7 @@ fn wrong_letter(
     any(tree, &mut |node| {
         if let Tree::Operation(operation, at) = node {
             let problem = match &**operation {
-                Operation::Series { index, .. } if vocabulary.complex.contains(index) => {
+                Operation::Series { index, .. } if symbols.is_complex(index) => {
                     let problem = "is complex, and counts the terms here: give one of the two another name";
                     Some(format!("`{index}` {problem}"))
                 }
@@ -989,119 +968,9 @@ fn wrong_letter(
     found
 }
 
-/// A list of `[symbols]` that says which values a symbol has: how they stand to a number, or that they are integers.
-#[derive(PartialEq)]
-struct List {
-    name: &'static str,
-    bound: Option<(Relation, i64)>,
-}
-
-impl List {
-    fn allows(&self, value: &Rational) -> bool {
-        let Some((relation, bound)) = self.bound else {
-            return *value.0.denominator() == dashu_int::UBig::ONE;
-        };
-        let bound = Rational::from_integer(bound);
-        match relation {
-            Relation::LessOrEqual => *value <= bound,
-            Relation::Greater => *value > bound,
-            Relation::GreaterOrEqual => *value >= bound,
-            _ => *value != bound,
-        }
-    }
-
-    /// The same of the right side of an equation.
-    fn said_of(&self, equation: &Equation) -> Condition {
-        let Some((relation, bound)) = self.bound else {
-            return Condition::Integer(equation.right.clone());
-        };
-        Condition::Relation(Equation {
-            left: equation.right.clone(),
-            relation,
-            right: Tree::Number(Rational::from_integer(bound)),
-            ..equation.clone()
-        })
-    }
-}
-
-impl Vocabulary {
-    /// Refuses an argument beyond what `[symbols]` says of the one that a function is defined with.
-    pub(super) fn may_take(&self, formal: &Name, argument: &Tree) -> Result<(), String> {
-        if self.is_complex_in(argument) && !self.complex.contains(formal) {
-            return Err(format!("`{formal}` is real: it cannot be {argument}"));
-        }
-        let lists = self.lists_of(formal);
-        match lists.iter().find(|list| !self.is_within(argument, list)) {
-            Some(list) => {
-                let problem = "write the definition with a symbol of which [symbols] says nothing";
-                Err(format!(
-                    "`{formal}` stands in `{}`, which {argument} may not be: {problem}",
-                    list.name
-                ))
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// Whether a list holds for a formula of numbers and symbols of which it holds.
-    fn is_within(&self, tree: &Tree, list: &List) -> bool {
-        let all = |parts: &[Tree]| parts.iter().all(|part| self.is_within(part, list));
-        let is_sign = matches!(list.bound, Some((Relation::Greater | Relation::GreaterOrEqual, 0)));
-        match tree {
-            Tree::Number(number) => list.allows(number),
-            Tree::Symbol(name, _) => self.lists_of(name).contains(list),
-            Tree::Sum(parts) | Tree::Product(parts) => (is_sign || list.bound.is_none()) && all(parts),
-            Tree::Negate(inner) => list.bound.is_none() && self.is_within(inner, list),
-            _ => false,
-        }
-    }
-
-    /// The lists of `[symbols]` that say which values a symbol has.
-    fn lists_of(&self, name: &Name) -> Vec<List> {
-        let lists = [
-            ("at_most_one", &self.at_most_one, Some((Relation::LessOrEqual, 1))),
-            ("positive", &self.positive, Some((Relation::Greater, 0))),
-            ("nonnegative", &self.nonnegative, Some((Relation::GreaterOrEqual, 0))),
-            ("nonzero", &self.nonzero, Some((Relation::NotEqual, 0))),
-            ("integers", &self.integers, None),
-        ];
-        let own = lists.into_iter().filter(|(_, names, _)| names.contains(name));
-        own.map(|(name, _, bound)| List { name, bound }).collect()
-    }
-
-    /// Whether a complex symbol, the imaginary unit or the square root of a negative number stands in a formula.
-    fn is_complex_in(&self, tree: &Tree) -> bool {
-        let zero = Rational::from_integer(0);
-        let is_imaginary = |node: &Tree| match node {
-            Tree::Root(of, index, _) => index % 2 == 0 && number_of(of).is_some_and(|number| number < zero),
-            _ => false,
-        };
-        self.may_be_complex(tree) || any(tree, &mut |node| is_imaginary(node))
-    }
-
-    /// Whether a name runs over times or indices.
-    fn is_running(&self, name: &Name) -> bool {
-        self.running.as_ref() == Some(name) || self.indices.contains(name)
-    }
-
-    /// The abbreviation of which a list says what it may be, and in which this symbol stands.
-    fn listed_with(&self, name: &Name) -> Option<&Name> {
-        let meant = self
-            .abbreviations
-            .iter()
-            .filter(|(own, _)| own != name && !self.lists_of(own).is_empty());
-        let is_inner = |node: &Tree| matches!(node, Tree::Symbol(inner, _) if inner == name);
-        let mut holding = meant.filter(|(own, _)| {
-            let meaning = self.meaning(own, &|_| false);
-            meaning.is_some_and(|tree| any(&tree, &mut |node| is_inner(node)))
-        });
-        holding.next().map(|(own, _)| own)
-    }
-
-    /// Whether this is the letter that numbers impacts, which `with` may shift.
-    pub(super) fn is_index_letter(&self, name: &Name) -> bool {
-        name.to_string() == self.index
-    }
+/// Whether a name runs over times or indices.
+fn is_running(symbols: &Symbols, name: &Name) -> bool {
+    symbols.running() == Some(name) || symbols.is_index(name)
 }
 
 /// Both sides of an equation with its source.
@@ -1138,7 +1007,7 @@ pub(super) fn read_entry(
     lines: &Text,
     raw: &RawEntry,
     positions: &BTreeMap<&str, usize>,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     wanted: bool,
 ) -> Entry {
     let tex = Source::new(lines, &raw.tex);
@@ -1173,7 +1042,7 @@ pub(super) fn read_entry(
         let is_identity = rests_on_nothing && raw.assume.is_empty() && implication.is_none();
         let source = implication.as_ref().map_or(&tex, |(_, then)| then);
         keep(
-            stated(source, vocabulary, raw.role, [is_identity, implication.is_some()]).map(|stated| {
+            stated(source, symbols, raw.role, [is_identity, implication.is_some()]).map(|stated| {
                 let printed = stated.display.conditions.into_iter();
                 assume.extend(printed.map(|condition| (condition, source.clone())));
                 alternatives = stated.alternatives;
@@ -1187,7 +1056,7 @@ pub(super) fn read_entry(
     let mut sourced = |list: &[Spanned<String>]| -> Vec<(Equation, Source)> {
         let sources = list.iter().filter(|_| wanted).map(|value| Source::new(lines, value));
         let read = sources.map(|source| {
-            let equations = keep(read_tex(&source, vocabulary));
+            let equations = keep(read_tex(&source, symbols));
             equations.into_iter().map(move |equation| (equation, source.clone()))
         });
         read.flatten().collect()
@@ -1205,7 +1074,7 @@ pub(super) fn read_entry(
     let given = assume.len();
     let (mut unseen_at, mut among) = (None, Vec::new());
     for source in when {
-        let read = assumed(&source, &vocabulary.names);
+        let read = assumed(&source, &symbols.names);
         let read = read.map(|(read, alternatives)| {
             unseen_at = unseen(&equations, &alternatives);
             among.extend(alternatives);
@@ -1216,20 +1085,20 @@ pub(super) fn read_entry(
     let printed = assume.len();
     for value in raw.assume.iter().filter(|_| wanted) {
         let source = Source::new(lines, value);
-        let read = read_conditions(&source.tex, &vocabulary.names);
+        let read = read_conditions(&source.tex, &symbols.names);
         assume.extend(conditions(&source, read.map_err(|error| source.misread(&error))));
     }
     let mut of_some = Vec::new();
     if raw.role == Role::Claim {
         let (beside, given) = assume.split_at(given.min(assume.len()));
-        of_some = integers_alone(&equations, [beside, given], vocabulary);
+        of_some = integers_alone(&equations, [beside, given], symbols);
         let stated = if alternatives.is_empty() {
             &equations
         } else {
             &alternatives
         };
         let new = is_implication
-            .then(|| new_integer(stated, given, beside, vocabulary))
+            .then(|| new_integer(stated, given, beside, symbols))
             .flatten();
         let is_unseen = unseen_at.map(|at| {
             let problem =
@@ -1325,18 +1194,18 @@ fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
 /// either, and of a premise or definition it is one statement more.
 fn stated(
     source: &Source,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     role: Role,
     [is_identity, is_implied]: [bool; 2],
 ) -> Result<Stated, Fault> {
-    let mut stated = stated_of(source, &vocabulary.names, is_implied)?;
+    let mut stated = stated_of(source, &symbols.names, is_implied)?;
     let display = &mut stated.display;
     if role != Role::Claim {
         if let Some(at) = display.conditions_at {
             let problem = format!("a {role} under a condition: what holds only there cannot be taken as true");
             return Err(source.fault(at, problem));
         }
-        let runs = |name: &&Name| vocabulary.times.contains(name) || vocabulary.indices.contains(name);
+        let runs = |name: &&Name| symbols.is_time(name) || symbols.is_index(name);
         if let Some(name) = display.for_all.iter().find(|name| !runs(name)) {
             let problem =
                 format!("`{name}` has one value in this sheet: a {role} that holds for all of them is not read");
@@ -1363,7 +1232,7 @@ fn stated(
     }
     display.equations = std::mem::take(&mut display.equations)
         .into_iter()
-        .flat_map(|equation| two_of_pair(equation, vocabulary))
+        .flat_map(|equation| two_of_pair(equation, symbols))
         .collect();
     let mut one_sided = display.equations.iter().filter(|equation| has_one_sided_sign(equation));
     match one_sided.next().filter(|_| role == Role::Claim) {
@@ -1405,12 +1274,12 @@ fn is_bare(side: &Tree) -> bool {
     }
 }
 
-fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
-    let equations = read(&source.tex, &vocabulary.names);
+fn read_tex(source: &Source, symbols: &Symbols) -> Result<Vec<Equation>, Fault> {
+    let equations = read(&source.tex, &symbols.names);
     let equations = equations.map_err(|error| source.misread(&error))?;
     let one_or_two = equations
         .into_iter()
-        .flat_map(|equation| two_of_pair(equation, vocabulary));
+        .flat_map(|equation| two_of_pair(equation, symbols));
     Ok(one_or_two.collect())
 }
 

@@ -1,10 +1,7 @@
 //! Powers whose exponents are integers at some values of their letters alone.
 
-use super::nodes::{any, speaks_of};
-use super::substitute::{number_of, rewrite};
-use super::vocabulary::Vocabulary;
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Elementary, Name, Operation, Relation, Tree};
+use crate::tex::{Condition, Elementary, Name, Operation, Relation, Symbols, Tree, any, number_of, rewrite, speaks_of};
 use std::collections::BTreeSet;
 
 /// The numbers from 0 that are put in for the letters of an exponent, and the most letters.
@@ -65,8 +62,8 @@ pub(super) fn bases<'t>(tree: &'t Tree, integers: &[Name], found: &mut Vec<(&'t 
 }
 
 /// Whether a tree is plainly not negative, by how it is written, by what is declared, or by what is assumed.
-pub(super) fn is_plainly_not_negative(tree: &Tree, vocabulary: &Vocabulary, assumed: &[&Condition]) -> bool {
-    let again = |tree: &Tree| is_plainly_not_negative(tree, vocabulary, assumed);
+pub(super) fn is_plainly_not_negative(tree: &Tree, symbols: &Symbols, assumed: &[&Condition]) -> bool {
+    let again = |tree: &Tree| is_plainly_not_negative(tree, symbols, assumed);
     let is_said = assumed.iter().any(|condition| match condition {
         Condition::Relation(relation) => {
             let (high, low) = match relation.relation {
@@ -82,9 +79,9 @@ pub(super) fn is_plainly_not_negative(tree: &Tree, vocabulary: &Vocabulary, assu
         || match tree {
             Tree::Number(_) => true,
             Tree::Symbol(name, _) => {
-                super::definition::is_constant(name) && name.base != "i"
-                    || vocabulary.positive.contains(name)
-                    || vocabulary.nonnegative.contains(name)
+                crate::tex::is_constant(name) && name.base != "i"
+                    || symbols.is_positive(name)
+                    || symbols.is_nonnegative(name)
             }
             Tree::Call(name, ..) => Elementary::named(name).is_some_and(Elementary::is_never_negative),
             Tree::Power(inner, exponent, _) => exponent % 2 == 0 || again(inner),

@@ -1,6 +1,6 @@
 //! What is wrong with a sheet, and where.
 
-use crate::tex::{Lines, Name, Place, ReadError};
+use crate::tex::{Lines, Place, ReadError, Unknown};
 use std::fmt;
 use toml::Spanned;
 
@@ -179,13 +179,6 @@ const UNITS: [&str; 24] = [
     "m", "mm", "cm", "km", "s", "ms", "min", "h", "kg", "g", "N", "kN", "J", "W", "V", "A", "Hz", "kHz", "Pa", "kPa",
     "K", "C", "rad", "deg",
 ];
-
-/// A symbol that nothing declares, and the declared one that was probably meant.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Unknown {
-    pub name: Name,
-    pub meant: Option<String>,
-}
 
 /// The line at fault within TeX, and the symbols that it lacks.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,12 +2,12 @@
 //! what definitions give.
 
 use super::circle::ordered;
-use super::definition::Local;
-use super::nodes::{any, speaks_of};
+use super::definition::{Local, local};
+use super::kinds::may_take;
 use super::size::{Budget, Size};
-use super::substitute::{mapped, rewrite};
-use super::vocabulary::{Vocabulary, index_of};
-use crate::tex::{At, Equation, Name, Operation, Relation, Tree, functions_given};
+use crate::tex::{
+    At, Equation, Name, Operation, Relation, Symbols, Tree, any, functions_given, index_of, mapped, rewrite, speaks_of,
+};
 use std::cell::RefCell;
 
 /// A function that a definition gives.
@@ -30,12 +30,12 @@ type Problem = (usize, String);
 
 /// The names of functions that definitions give by their TeX: where the name is declared it is no new one, and what
 /// runs, counts or means something else is no argument.
-pub(super) fn names_given<'t>(texts: impl Iterator<Item = &'t str>, vocabulary: &Vocabulary) -> Vec<Name> {
+pub(super) fn names_given<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Symbols) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
-    for (name, argument) in texts.flat_map(|tex| functions_given(tex, &vocabulary.names)) {
-        let is_new = !vocabulary.knows(&name) && name.mark.is_empty() && name.primes == 0 && !names.contains(&name);
-        let is_time = vocabulary.running.as_ref() == Some(&argument);
-        let is_plain = is_time || vocabulary.parameters.contains(&argument) || !vocabulary.knows(&argument);
+    for (name, argument) in texts.flat_map(|tex| functions_given(tex, &symbols.names)) {
+        let is_new = !symbols.knows(&name) && name.mark.is_empty() && name.primes == 0 && !names.contains(&name);
+        let is_time = symbols.running() == Some(&argument);
+        let is_plain = is_time || symbols.is_parameter(&argument) || !symbols.knows(&argument);
         if is_new && is_plain {
             if is_time || argument.to_string() == "t" {
                 names.extend([name.dotted(), name.dotted().dotted()]);
@@ -47,18 +47,16 @@ pub(super) fn names_given<'t>(texts: impl Iterator<Item = &'t str>, vocabulary: 
 }
 
 /// The function that an equation gives.
-fn function(equation: &Equation, vocabulary: &Vocabulary) -> Option<Function> {
+fn function(equation: &Equation, symbols: &Symbols) -> Option<Function> {
     match (&equation.left, equation.relation) {
-        (Tree::Call(name, argument, _), Relation::Equal) if vocabulary.names.defined.contains(name) => {
-            match &**argument {
-                Tree::Symbol(argument, _) => Some(Function {
-                    name: name.clone(),
-                    argument: argument.clone(),
-                    value: equation.right.clone(),
-                }),
-                _ => None,
-            }
-        }
+        (Tree::Call(name, argument, _), Relation::Equal) if symbols.names.defined.contains(name) => match &**argument {
+            Tree::Symbol(argument, _) => Some(Function {
+                name: name.clone(),
+                argument: argument.clone(),
+                value: equation.right.clone(),
+            }),
+            _ => None,
+        },
         _ => None,
     }
 }
@@ -68,11 +66,11 @@ impl Given {
     ///
     /// # Errors
     /// The place and the reason: a function that has two definitions.
-    pub(super) fn take(&mut self, equation: &Equation, vocabulary: &Vocabulary) -> Result<bool, Problem> {
-        match function(equation, vocabulary) {
+    pub(super) fn take(&mut self, equation: &Equation, symbols: &Symbols) -> Result<bool, Problem> {
+        match function(equation, symbols) {
             Some(new) => self.add(new).map(|()| true).map_err(|problem| (equation.at.0, problem)),
             None => {
-                self.names.extend(vocabulary.local(equation));
+                self.names.extend(local(equation, symbols));
                 Ok(false)
             }
         }
@@ -82,14 +80,14 @@ impl Given {
     ///
     /// # Errors
     /// The place and the reason.
-    pub(super) fn refuse_at_parameter(equation: &Equation, vocabulary: &Vocabulary) -> Result<(), Problem> {
+    pub(super) fn refuse_at_parameter(equation: &Equation, symbols: &Symbols) -> Result<(), Problem> {
         let Tree::Call(name, argument, _) = &equation.left else {
             return Ok(());
         };
         match &**argument {
             Tree::Symbol(at, _)
-                if !vocabulary.names.defined.contains(name)
-                    && vocabulary.parameters.contains(at)
+                if !symbols.names.defined.contains(name)
+                    && symbols.is_parameter(at)
                     && at.subscript.is_empty()
                     && equation.relation == Relation::Equal
                     && speaks_of(&equation.right, at) =>
@@ -150,12 +148,12 @@ impl Given {
     }
 
     /// Whether nothing here can be written out.
-    pub(super) fn is_idle(&self, vocabulary: &Vocabulary) -> bool {
-        self.names.is_empty() && vocabulary.names.defined.is_empty()
+    pub(super) fn is_idle(&self, symbols: &Symbols) -> bool {
+        self.names.is_empty() && symbols.names.defined.is_empty()
     }
 
     /// Writes the functions out within each other.
-    pub(super) fn close(&mut self, vocabulary: &Vocabulary) -> Result<(), Problem> {
+    pub(super) fn close(&mut self, symbols: &Symbols) -> Result<(), Problem> {
         let applies = |value: &Tree, other: &Function| any(value, &mut |node| other.is_applied(node));
         let used = |function: &Function| {
             let all = self.functions.iter().enumerate();
@@ -172,7 +170,7 @@ impl Given {
             let Some(function) = self.functions.get(n) else {
                 continue;
             };
-            let value = self.written_out(&function.value, vocabulary)?;
+            let value = self.written_out(&function.value, symbols)?;
             if let Some(function) = self.functions.get_mut(n) {
                 function.value = value;
             }
@@ -185,19 +183,19 @@ impl Given {
     /// # Errors
     /// The place and the reason: a function that no definition gives here, an argument beyond what `[symbols]` says of
     /// that of the function, a partial derivative that depends on what is held fixed, a tree that becomes too large.
-    pub(super) fn written_out(&self, tree: &Tree, vocabulary: &Vocabulary) -> Result<Tree, Problem> {
-        let out = self.written_within(tree, vocabulary, &Budget::of_formula())?;
+    pub(super) fn written_out(&self, tree: &Tree, symbols: &Symbols) -> Result<Tree, Problem> {
+        let out = self.written_within(tree, symbols, &Budget::of_formula())?;
         Size::of(&out).map_err(|problem| (0, problem.to_string()))?;
         Ok(out)
     }
 
-    fn written_within(&self, tree: &Tree, vocabulary: &Vocabulary, budget: &Budget) -> Result<Tree, Problem> {
+    fn written_within(&self, tree: &Tree, symbols: &Symbols, budget: &Budget) -> Result<Tree, Problem> {
         let found: RefCell<Option<Problem>> = RefCell::new(None);
         let out = mapped(tree, &|node| {
             if found.borrow().is_some() {
                 return Some(node.clone());
             }
-            match self.of_node(node, vocabulary, budget) {
+            match self.of_node(node, symbols, budget) {
                 Ok(new) => new,
                 Err(problem) => {
                     found.borrow_mut().get_or_insert(problem);
@@ -208,18 +206,16 @@ impl Given {
         found.into_inner().map_or(Ok(out), Err)
     }
 
-    fn of_node(&self, node: &Tree, vocabulary: &Vocabulary, budget: &Budget) -> Result<Option<Tree>, Problem> {
+    fn of_node(&self, node: &Tree, symbols: &Symbols, budget: &Budget) -> Result<Option<Tree>, Problem> {
         match node {
-            Tree::Call(name, argument, at) if is_given(name, vocabulary) => {
+            Tree::Call(name, argument, at) if is_given(name, symbols) => {
                 let (function, order) = self.of_name(name).ok_or_else(|| {
                     let problem = "is a function that another definition gives: name it among what this follows from";
                     (at.0, format!("`{name}` {problem}"))
                 })?;
-                let argument = self.written_within(argument, vocabulary, budget)?;
-                vocabulary
-                    .may_take(&function.argument, &argument)
-                    .map_err(|problem| (at.0, problem))?;
-                if let Some(held) = self.held(function, vocabulary)
+                let argument = self.written_within(argument, symbols, budget)?;
+                may_take(symbols, &function.argument, &argument).map_err(|problem| (at.0, problem))?;
+                if let Some(held) = self.held(function, symbols)
                     && argument != Tree::Symbol(function.argument.clone(), *at)
                 {
                     let problem = format!("depends on `{}` without its bracket", function.argument);
@@ -230,9 +226,9 @@ impl Given {
                 }
                 Ok(Some(function.at(&argument, order, *at, budget)?))
             }
-            Tree::Symbol(name, at) if vocabulary.running.is_some() && is_given(name, vocabulary) => {
+            Tree::Symbol(name, at) if symbols.running().is_some() && is_given(name, symbols) => {
                 let function = self.of_name(name);
-                let of_time = function.filter(|(function, _)| vocabulary.running.as_ref() == Some(&function.argument));
+                let of_time = function.filter(|(function, _)| symbols.running() == Some(&function.argument));
                 of_time
                     .map(|(function, order)| {
                         function.at(&Tree::Symbol(function.argument.clone(), *at), order, *at, budget)
@@ -257,7 +253,7 @@ impl Given {
                 }
                 _ => Ok(None),
             },
-            Tree::Partial { of, by, at } if !vocabulary.has_partial(of, by) => self.partial(of, by, *at, budget),
+            Tree::Partial { of, by, at } if !symbols.has_partial(of, by) => self.partial(of, by, *at, budget),
             _ => Ok(None),
         }
     }
@@ -316,13 +312,13 @@ impl Given {
     }
 
     /// What depends on the argument of a function in its formula, and would not take part where another is put in.
-    fn held(&self, function: &Function, vocabulary: &Vocabulary) -> Option<Name> {
+    fn held(&self, function: &Function, symbols: &Symbols) -> Option<Name> {
         let argument = &function.argument;
-        let is_time = vocabulary.running.as_ref() == Some(argument);
-        let conjugates = |name: &Name| vocabulary.is_conjugate_of(name, argument);
+        let is_time = symbols.running() == Some(argument);
+        let conjugates = |name: &Name| symbols.is_conjugate_of(name, argument);
         let numbers = |name: &Name| index_of(&name.subscript, &argument.to_string()).is_some();
         let means = |name: &Name| {
-            vocabulary
+            symbols
                 .meaning(name, &|_| false)
                 .is_some_and(|tree| speaks_of(&tree, argument))
         };
@@ -338,7 +334,7 @@ impl Given {
                 Tree::Symbol(name, _) | Tree::Partial { of: name, .. } | Tree::Invariant { of: name, .. } => name,
                 _ => return false,
             };
-            let runs = is_time && (vocabulary.names.is_function(name) || vocabulary.is_in_flight(name));
+            let runs = is_time && (symbols.names.is_function(name) || symbols.is_in_flight(name));
             let is_map = !matches!(node, Tree::Symbol(..));
             if is_map || runs || conjugates(name) || numbers(name) || means(name) || given(name) {
                 found = Some(name.clone());
@@ -414,10 +410,10 @@ fn is_of(name: &Name, function: &Name) -> Option<u32> {
 }
 
 /// Whether a name is that of a function which some definition gives, perhaps with primes.
-fn is_given(name: &Name, vocabulary: &Vocabulary) -> bool {
+fn is_given(name: &Name, symbols: &Symbols) -> bool {
     let plain = Name {
         primes: 0,
         ..name.clone()
     };
-    vocabulary.names.defined.contains(&plain)
+    symbols.names.defined.contains(&plain)
 }

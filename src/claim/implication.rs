@@ -1,12 +1,11 @@
 //! What formulas say of formulas: `A \Rightarrow B`, `A \Leftrightarrow B`, "A or B".
 
-use super::definition::{has_sign, is_constant, letters_of, with_sign};
+use super::definition::{has_sign, letters_of, with_sign};
 use super::fault::{Fault, Source};
-use super::nodes::any;
-use super::vocabulary::Vocabulary;
 use crate::number::{Field, Rational};
 use crate::tex::{
-    Condition, Display, Elementary, Equation, Name, Names, ReadError, Relation, Tree, read_conditions, read_display,
+    Condition, Display, Elementary, Equation, Name, Names, ReadError, Relation, Symbols, Tree, any, is_constant,
+    read_conditions, read_display,
 };
 use std::collections::HashSet;
 
@@ -91,7 +90,7 @@ pub(super) fn new_integer(
     equations: &[Equation],
     given: &[(Condition, Source)],
     beside: &[(Condition, Source)],
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
 ) -> Option<(usize, String)> {
     let names = |tree: &Tree, is_it: &mut dyn FnMut(&Name) -> bool| {
         any(tree, &mut |node| matches!(node, Tree::Symbol(name, _) if is_it(name)))
@@ -108,7 +107,7 @@ pub(super) fn new_integer(
     let is_integer = |name: &Name| {
         let is_said =
             |condition: &Condition| matches!(condition, Condition::Integer(Tree::Symbol(own, _)) if own == name);
-        vocabulary.integers.contains(name) || beside.iter().any(|(condition, _)| is_said(condition))
+        symbols.is_integer(name) || beside.iter().any(|(condition, _)| is_said(condition))
     };
     equations.iter().find_map(|equation| {
         let (letter, value) = gives(equation)?;
@@ -129,13 +128,13 @@ pub(super) fn new_integer(
 pub(super) fn integers_alone(
     equations: &[Equation],
     [beside, given]: [&[(Condition, Source)]; 2],
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
 ) -> Vec<Name> {
     let said = |(condition, _): &(Condition, Source)| match condition {
         Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
         _ => None,
     };
-    let mut integers: Vec<Name> = vocabulary.integers.clone();
+    let mut integers: Vec<Name> = symbols.integers().cloned().collect();
     integers.extend(beside.iter().chain(given).filter_map(said));
     let letters = |trees: &[&Tree]| -> HashSet<Name> { trees.iter().flat_map(|tree| letters_of(tree)).collect() };
     let mut known: HashSet<Name> = HashSet::new();

@@ -2,7 +2,6 @@
 
 mod check;
 mod circle;
-mod declared;
 mod definition;
 mod document;
 mod doubts;
@@ -11,29 +10,24 @@ mod exponents;
 mod fault;
 mod function;
 mod implication;
-mod nodes;
+mod kinds;
 mod paper;
 mod premise;
 mod reduce;
 mod sheet;
 mod size;
 mod spelling;
-mod substitute;
 mod symbols;
 mod verdict;
-mod vocabulary;
 
-pub use definition::{Local, pair_of};
+pub use definition::Local;
 pub use document::{Document, Include, Markup, PrintedNumber};
 pub use entry::{Entry, Role};
 pub use fault::{Fault, Source};
-pub use nodes::{any, any_side, parts, with_symbol};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{
     Goal, Reduced, Rule, Rules, along_a_sequence, divisors, other_ways, reduced, reduced_by_cases, thin_domains, values,
 };
 pub use sheet::{Sheet, read_symbols};
-pub use substitute::{flies, number_of, rewrite, rewrite_equation, tree_runs};
 pub use verdict::Verdict;
-pub use vocabulary::{Map, Vocabulary, index_of, subscript_of};

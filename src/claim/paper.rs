@@ -1,8 +1,8 @@
-//! The sheet and the vocabulary that the program carries with it.
+//! The sheet and the symbols that the program carries with it.
 
 use super::fault::Fault;
 use super::sheet::{Sheet, read_symbols};
-use super::vocabulary::Vocabulary;
+use crate::tex::Symbols;
 
 /// golden/paper/equations.toml.
 pub const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
@@ -10,11 +10,11 @@ pub const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
 /// golden/paper/symbols.toml.
 pub const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
 
-/// What a sheet without `[symbols]` speaks: the vocabulary of the impact pair.
+/// What a sheet without `[symbols]` speaks: the symbols of the impact pair.
 ///
 /// # Errors
 /// None: a test reads the embedded text.
-pub fn vocabulary() -> Result<Vocabulary, Fault> {
+pub fn vocabulary() -> Result<Symbols, Fault> {
     read_symbols(SYMBOLS)
 }
 

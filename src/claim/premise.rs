@@ -3,13 +3,13 @@
 use super::definition::{Local, circular, clash, inlined_in, is_defined, joined};
 use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
-use super::nodes::{any, any_side, speaks_of};
 use super::reduce::{Rule, Rules};
 use super::sheet::{RENAME, Sheet};
-use super::size::{Budget, TooLarge};
-use super::substitute::{flies, rewrite_alone, rewrite_condition, runs, tree_runs};
-use super::vocabulary::{Map, Vocabulary, index_of};
-use crate::tex::{At, Condition, Equation, Name, Tree};
+use super::size::{Budget, Sizes, TooLarge};
+use crate::tex::{
+    At, Condition, Equation, Map, Name, Symbols, Tree, any, any_side, flies, index_of, rewrite_alone,
+    rewrite_condition, runs, speaks_of, tree_runs,
+};
 use std::collections::BTreeSet;
 
 /// One equation that is taken as true.
@@ -37,8 +37,8 @@ const MOST_FLIGHTS: i32 = 6;
 pub struct Statements {
     /// Each premise once, at the impacts that it names itself.
     pub premises: Vec<Premise>,
-    /// The symbols that the claim may use beyond the vocabulary: its own definitions, then those that it follows from. A
-    /// definition comes before what the vocabulary says of a name.
+    /// The symbols that the claim may use beyond the symbol table: its own definitions, then those that it follows from. A
+    /// definition comes before what the symbol table says of a name.
     pub locals: Vec<Local>,
     /// The equations to be decided.
     pub claims: Vec<Equation>,
@@ -55,7 +55,7 @@ pub struct Statements {
     pub has_partials: bool,
     /// The rules by which all this was rewritten from what was read.
     pub rules: Rules,
-    /// The maps of the vocabulary that claim and premises name: in traces and determinants, also those of products and
+    /// The maps of the symbol table that claim and premises name: in traces and determinants, also those of products and
     /// in abbreviations; and those of the premises where a derivative is written out.
     pub maps: BTreeSet<Name>,
 }
@@ -93,27 +93,27 @@ impl Premise {
     }
 
     /// The premise at impacts `by` further on.
-    pub fn shifted(&self, by: i32, vocabulary: &Vocabulary) -> Self {
+    pub fn shifted(&self, by: i32, symbols: &Symbols) -> Self {
         if by == 0 {
             return self.clone();
         }
-        let mut premise = self.rewritten(&|equation| vocabulary.shifted(equation, by));
-        premise.first = vocabulary.impacts(&premise.equation).first().copied();
+        let mut premise = self.rewritten(&|equation| symbols.shifted(equation, by));
+        premise.first = symbols.impacts(&premise.equation).first().copied();
         premise
     }
 
     /// A law of flight is said of every impact: it is taken at the `flights` that the claim speaks of, from the
     /// impact `first` on. Any other premise is said once.
-    fn said_of(&self, first: Option<i32>, flights: i32, vocabulary: &Vocabulary) -> Vec<Self> {
+    fn said_of(&self, first: Option<i32>, flights: i32, symbols: &Symbols) -> Vec<Self> {
         let flights = 0..flights;
         match (self.first, first) {
-            (Some(start), Some(first)) if runs(&self.equation, vocabulary) || (self.substituted && first >= start) => {
+            (Some(start), Some(first)) if runs(&self.equation, symbols) || (self.substituted && first >= start) => {
                 flights
-                    .map(|flight| self.shifted(first - start + flight, vocabulary))
+                    .map(|flight| self.shifted(first - start + flight, symbols))
                     .collect()
             }
             // A law that names no impact is said of every flight too.
-            (None, Some(first)) if flies(&self.equation, vocabulary) => flights
+            (None, Some(first)) if flies(&self.equation, symbols) => flights
                 .map(|flight| Self {
                     first: Some(first + flight),
                     ..self.clone()
@@ -126,9 +126,9 @@ impl Premise {
 
 impl Premise {
     /// A law of flight in the flight after this impact.
-    pub fn said_in(&self, flight: i32, vocabulary: &Vocabulary) -> Self {
+    pub fn said_in(&self, flight: i32, symbols: &Symbols) -> Self {
         match self.first {
-            Some(start) => self.shifted(flight - start, vocabulary),
+            Some(start) => self.shifted(flight - start, symbols),
             None => Self {
                 first: Some(flight),
                 ..self.clone()
@@ -188,11 +188,11 @@ impl Statements {
         }
         found.claims.clone_from(&claim.stated);
         found.assume = claim.assume.iter().map(|(condition, _)| condition.clone()).collect();
-        found.substitute(claim, &sheet.vocabulary)?;
-        for law in &sheet.vocabulary.laws {
+        found.substitute(claim, &sheet.symbols)?;
+        for law in &sheet.symbols.laws {
             found.premises.push(Premise::known(&law.to_string(), law.clone()));
         }
-        Ok(found.with_overview(&sheet.vocabulary))
+        Ok(found.with_overview(&sheet.symbols))
     }
 
     /// The label of a premise.
@@ -204,11 +204,11 @@ impl Statements {
     }
 
     /// The premises at each flight that the claim speaks of: what is said of every flight is there once for each.
-    pub fn said(&self, vocabulary: &Vocabulary) -> Option<Vec<Premise>> {
+    pub fn said(&self, symbols: &Symbols) -> Option<Vec<Premise>> {
         let impacts = self.first.zip(self.last).filter(|_| !self.claim_runs);
         let flights = impacts.map_or(1, |(first, last)| last.saturating_sub(first).max(1));
         let premises = self.premises.iter();
-        let said = |premise: &Premise| premise.said_of(self.first, flights.min(MOST_FLIGHTS), vocabulary);
+        let said = |premise: &Premise| premise.said_of(self.first, flights.min(MOST_FLIGHTS), symbols);
         let all: Vec<Vec<Premise>> = premises.map(said).collect();
         let is_cut = flights > MOST_FLIGHTS && all.iter().any(|said| said.len() > 1);
         (!is_cut).then(|| all.concat())
@@ -236,7 +236,7 @@ impl Statements {
                 return Err(entry.tex.fault(*at, problem).of(&entry.label));
             }
         }
-        if let Some((equation, source)) = entry.put_into(&brought, &sheet.vocabulary) {
+        if let Some((equation, source)) = entry.put_into(&brought, &sheet.symbols) {
             let problem = format!(
                 "({}) puts something in for `{}` in a definition, which stands for something else in ({}): write it as a premise",
                 entry.label, equation.left, claim.label
@@ -269,12 +269,12 @@ impl Statements {
         }
         // what is too large to be written out may run
         let is_law =
-            |equation: &Equation| inlined_in(equation, &locals).is_none_or(|written| sheet.vocabulary.is_law(&written));
+            |equation: &Equation| inlined_in(equation, &locals).is_none_or(|written| sheet.symbols.is_law(&written));
         let has_law = entry.stated.iter().any(is_law);
         if has_law {
-            self.assume_outright(entry, &locals, &sheet.vocabulary);
+            self.assume_outright(entry, &locals, &sheet.symbols);
         }
-        self.define_beside(entry, has_law, &locals, &sheet.vocabulary)?;
+        self.define_beside(entry, has_law, &locals, &sheet.symbols)?;
         for (equation, source) in &entry.given {
             self.push(entry, equation, source, locals.clone());
         }
@@ -287,13 +287,13 @@ impl Statements {
         entry: &Entry,
         has_law: bool,
         locals: &[Local],
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
     ) -> Result<(), Fault> {
         for local in entry.unused().into_iter().filter(|_| entry.role != Role::Definition) {
             let equation = Equation::between(local.tree.clone(), local.tree.clone());
             let of_map = |node: &Tree| matches!(node, Tree::Partial { .. } | Tree::Invariant { .. });
             let is_constant = |written: Equation| {
-                let moves = vocabulary.is_law(&written) || !vocabulary.impacts(&written).is_empty();
+                let moves = symbols.is_law(&written) || !symbols.impacts(&written).is_empty();
                 !moves && !any_side(&written, &mut |node| of_map(node))
             };
             if !inlined_in(&equation, locals).is_some_and(is_constant) {
@@ -309,7 +309,7 @@ impl Statements {
     }
 
     /// The conditions of a law that speak of nothing that runs hold whether or not the law says anything: they are premises.
-    fn assume_outright(&mut self, entry: &Entry, locals: &[Local], vocabulary: &Vocabulary) {
+    fn assume_outright(&mut self, entry: &Entry, locals: &[Local], symbols: &Symbols) {
         for (condition, source) in &entry.assume {
             // of an integer the condition itself is what is said
             let (equation, assume) = match condition {
@@ -317,8 +317,7 @@ impl Statements {
                 Condition::Integer(tree) => (Equation::between(tree.clone(), tree.clone()), vec![condition.clone()]),
             };
             // what is too large to be written out may run
-            let is_constant =
-                |written: Equation| !vocabulary.is_law(&written) && vocabulary.impacts(&written).is_empty();
+            let is_constant = |written: Equation| !symbols.is_law(&written) && symbols.impacts(&written).is_empty();
             if inlined_in(&equation, locals).is_some_and(is_constant) {
                 self.push(entry, &equation, source, locals.to_vec());
                 if let Some(premise) = self.premises.last_mut() {
@@ -344,21 +343,21 @@ impl Statements {
     ///
     /// # Errors
     /// The [`Fault`] of a time of an impact put in for the time of a flight that is not the end of the flight.
-    fn substitute(&mut self, claim: &Entry, vocabulary: &Vocabulary) -> Result<(), Fault> {
+    fn substitute(&mut self, claim: &Entry, symbols: &Symbols) -> Result<(), Fault> {
         let (mut pairs, mut more, mut shift) = (Vec::new(), Vec::new(), 0);
         for (equation, source) in &claim.with {
             match &equation.left {
-                Tree::Symbol(name, _) if vocabulary.is_index_letter(name) => {
+                Tree::Symbol(name, _) if symbols.is_index_letter(name) => {
                     let to = equation.right.to_string().replace(' ', "");
-                    shift = index_of(&to, &vocabulary.index).unwrap_or(0);
+                    shift = index_of(&to, &symbols.index).unwrap_or(0);
                 }
-                Tree::Symbol(name, _) if !vocabulary.is_indexed(name) || vocabulary.renames(equation) => {
+                Tree::Symbol(name, _) if !symbols.is_indexed(name) || symbols.renames(equation) => {
                     pairs.push((name.clone(), equation.right.clone()));
                 }
                 _ => more.push((equation, source)),
             }
         }
-        self.check_size(&pairs, vocabulary)
+        self.check_size(&pairs, symbols)
             .map_err(|problem| claim.tex.fault(0, problem).of(&claim.label))?;
         if shift != 0 || !pairs.is_empty() {
             for premise in &mut self.premises {
@@ -370,10 +369,10 @@ impl Statements {
                     );
                     return Err(claim.tex.fault(0, problem).of(&claim.label));
                 }
-                let shifted = premise.shifted(shift, vocabulary);
-                claim.check_put_in(&shifted.equation, &shifted.locals, vocabulary)?;
-                let put_in = shifted.rewritten(&|equation| vocabulary.substituted(equation, &pairs));
-                let one_impact = vocabulary.impacts(&put_in.equation).len() == 1;
+                let shifted = premise.shifted(shift, symbols);
+                claim.check_put_in(&shifted.equation, &shifted.locals, symbols)?;
+                let put_in = shifted.rewritten(&|equation| symbols.substituted(equation, &pairs));
+                let one_impact = symbols.impacts(&put_in.equation).len() == 1;
                 let substituted = one_impact && put_in.equation != shifted.equation;
                 *premise = Premise { substituted, ..put_in };
             }
@@ -385,8 +384,8 @@ impl Statements {
             for local in followed {
                 let left = Tree::Symbol(local.name.clone(), At(0));
                 let equation = Equation::between(left, local.tree.clone());
-                claim.check_put_in(&equation, &[], vocabulary)?;
-                local.tree = vocabulary.substituted(&equation, &pairs).right;
+                claim.check_put_in(&equation, &[], symbols)?;
+                local.tree = symbols.substituted(&equation, &pairs).right;
             }
         }
         for (equation, source) in more {
@@ -397,11 +396,11 @@ impl Statements {
 
     /// Refuses premises, definitions and claims that would be too large with everything put in. Each claim is decided with all
     /// the others beside it.
-    fn check_size(&self, pairs: &[(Name, Tree)], vocabulary: &Vocabulary) -> Result<(), String> {
+    fn check_size(&self, pairs: &[(Name, Tree)], symbols: &Symbols) -> Result<(), String> {
         let (budget, claims) = (Budget::of_claim(), self.claims.len());
         for premise in &self.premises {
             let problem = |problem: TooLarge| format!("what it follows from, ({}), is {problem}", premise.label);
-            let sizes = vocabulary.sizes(premise.locals.iter().map(Local::pair));
+            let sizes = Sizes::within_sheet(symbols, premise.locals.iter().map(Local::pair));
             let mut sizes = sizes.replacing(pairs).map_err(problem)?;
             let conditions = premise.assume.iter().flat_map(Condition::sides);
             for tree in conditions.chain([&premise.equation.left, &premise.equation.right]) {
@@ -409,7 +408,7 @@ impl Statements {
                 budget.spend_times(size, claims).map_err(problem)?;
             }
         }
-        let mut sizes = vocabulary.sizes(self.locals.iter().map(Local::pair));
+        let mut sizes = Sizes::within_sheet(symbols, self.locals.iter().map(Local::pair));
         for local in &self.locals {
             sizes
                 .of(&local.tree)
@@ -426,14 +425,14 @@ impl Statements {
         Ok(())
     }
 
-    fn named_maps(&self, vocabulary: &Vocabulary) -> BTreeSet<Name> {
+    fn named_maps(&self, symbols: &Symbols) -> BTreeSet<Name> {
         let premises = self.premises.iter();
         let equations = self
             .claims
             .iter()
             .chain(premises.clone().map(|premise| &premise.equation));
         let sides = |equation: &'_ Equation| [equation.left.clone(), equation.right.clone()];
-        let mut open: Vec<Tree> = equations.chain(&vocabulary.relations).flat_map(sides).collect();
+        let mut open: Vec<Tree> = equations.chain(&symbols.relations).flat_map(sides).collect();
         for condition in self.assume.iter().chain(premises.flat_map(|premise| &premise.assume)) {
             match condition {
                 Condition::Relation(equation) => open.extend(sides(equation)),
@@ -446,8 +445,7 @@ impl Statements {
             any(&tree, &mut |node| {
                 match node {
                     Tree::Symbol(name, _) if met.insert(name.clone()) => {
-                        let meant = vocabulary.abbreviations.iter().filter(|(known, _)| known == name);
-                        open.extend(meant.map(|(_, tree)| tree.clone()));
+                        open.extend(symbols.abbreviation(name).cloned());
                     }
                     Tree::Invariant { of, .. } => {
                         maps.insert(of.clone());
@@ -460,7 +458,7 @@ impl Statements {
         let mut named = BTreeSet::new();
         while let Some(name) = maps.pop_first() {
             if named.insert(name.clone())
-                && let Some((_, Map::Product(factors))) = vocabulary.maps.iter().find(|(known, _)| *known == name)
+                && let Some(Map::Product(factors)) = symbols.map(&name)
             {
                 maps.extend(factors.iter().cloned());
             }
@@ -468,9 +466,9 @@ impl Statements {
         named
     }
 
-    pub(super) fn with_overview(mut self, vocabulary: &Vocabulary) -> Self {
+    pub(super) fn with_overview(mut self, symbols: &Symbols) -> Self {
         for premise in &mut self.premises {
-            premise.first = vocabulary.impacts(&premise.equation).first().copied();
+            premise.first = symbols.impacts(&premise.equation).first().copied();
         }
         let definitions = self.locals.iter().map(|local| &local.tree);
         let of_claim: Vec<&Tree> = self
@@ -481,22 +479,19 @@ impl Statements {
             .collect();
         let mut impacts = BTreeSet::new();
         for tree in &of_claim {
-            vocabulary.collect_impacts(tree, &mut impacts);
+            symbols.collect_impacts(tree, &mut impacts);
         }
-        let claim_runs = of_claim.iter().any(|tree| tree_runs(tree, vocabulary));
+        let claim_runs = of_claim.iter().any(|tree| tree_runs(tree, symbols));
         let of_premises = self.premises.iter().flat_map(|s| [&s.equation.left, &s.equation.right]);
         let everything: Vec<&Tree> = of_claim.into_iter().chain(of_premises).collect();
         let any_node = |test: fn(&Tree) -> bool| everything.iter().any(|tree| any(tree, &mut |node| test(node)));
         let has_partials = any_node(|node| matches!(node, Tree::Partial { .. }));
         (self.first, self.last) = (impacts.first().copied(), impacts.last().copied());
-        self.maps = self.named_maps(vocabulary);
+        self.maps = self.named_maps(symbols);
         let speaks_of_maps = has_partials || !self.maps.is_empty();
         if has_partials {
             // what is written out is along the maps that the premises give
-            let given = vocabulary
-                .maps
-                .iter()
-                .filter(|(_, map)| matches!(map, Map::Premises { .. }));
+            let given = symbols.maps().filter(|(_, map)| matches!(map, Map::Premises { .. }));
             self.maps.extend(given.map(|(name, _)| name.clone()));
         }
         (self.claim_runs, self.has_partials, self.speaks_of_maps) = (claim_runs, has_partials, speaks_of_maps);
@@ -506,18 +501,18 @@ impl Statements {
 
 impl Entry {
     /// What `with` puts in for something of which these definitions speak: outside this entry they stand for something else.
-    fn put_into(&self, definitions: &[Local], vocabulary: &Vocabulary) -> Option<&(Equation, Source)> {
+    fn put_into(&self, definitions: &[Local], symbols: &Symbols) -> Option<&(Equation, Source)> {
         let is_put_in = |equation: &Equation, tree: &Tree| {
             let written = Equation::between(tree.clone(), tree.clone());
             let replaced = match &equation.left {
-                Tree::Symbol(name, _) if vocabulary.is_index_letter(name) => return false,
+                Tree::Symbol(name, _) if symbols.is_index_letter(name) => return false,
                 Tree::Symbol(name, _) => {
                     let pairs = [(name.clone(), equation.right.clone())];
-                    vocabulary.substituted(&written, &pairs) != vocabulary.substituted(&written, &[])
+                    symbols.substituted(&written, &pairs) != symbols.substituted(&written, &[])
                 }
                 _ => false,
             };
-            replaced || any_side(&vocabulary.expanded(&written), &mut |node| *node == equation.left)
+            replaced || any_side(&symbols.expanded(&written), &mut |node| *node == equation.left)
         };
         let mut with = self.with.iter();
         with.find(|(equation, _)| definitions.iter().any(|local| is_put_in(equation, &local.tree)))

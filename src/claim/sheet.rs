@@ -1,18 +1,17 @@
 //! Audit sheets: what a person wrote down of a paper, read and checked for sense before anything is decided.
 
+use super::check::check;
 use super::circle::circle;
-use super::definition::{Local, clash, inlined, is_defined, means_the_same};
+use super::definition::{Local, clash, inlined, is_defined, local, means_the_same};
 use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
-use super::nodes::speaks_of;
 use super::spelling::{
     note_constants_of_solutions, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_indexed_parameters,
     refuse_products_of_vectors, refuse_two_spellings,
 };
-use super::symbols::{MapEntry, Symbols};
-use super::vocabulary::Vocabulary;
-use crate::tex::Equation;
+use super::symbols::{MapEntry, RawSymbols};
+use crate::tex::{Equation, Symbols, speaks_of};
 use crate::tex::{Name, Tree, nearest};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -27,7 +26,7 @@ pub(super) const RENAME: &str = "give one of them another name";
 #[derive(Clone, Debug)]
 pub struct Sheet {
     pub title: Option<String>,
-    pub vocabulary: Vocabulary,
+    pub symbols: Symbols,
     pub entries: Vec<Entry>,
     /// The text of each entry, from which [`Sheet::reprinted`] reads.
     raw: Arc<RawSheet>,
@@ -38,7 +37,7 @@ pub struct Sheet {
 #[serde(deny_unknown_fields)]
 pub(super) struct RawSheet {
     pub title: Option<String>,
-    pub symbols: Option<Spanned<Symbols>>,
+    pub symbols: Option<Spanned<RawSymbols>>,
     #[serde(default)]
     pub equation: Vec<RawEntry>,
 }
@@ -47,47 +46,47 @@ pub(super) struct RawSheet {
 ///
 /// # Errors
 /// A [`Fault`] with its place.
-pub fn read_symbols(text: &str) -> Result<Vocabulary, Fault> {
+pub fn read_symbols(text: &str) -> Result<Symbols, Fault> {
     let raw: RawSheet = parse(text)?;
     read_checked(&raw.symbols.map(Spanned::into_inner).unwrap_or_default())
 }
 
-fn read_checked(symbols: &Symbols) -> Result<Vocabulary, Fault> {
-    let vocabulary = Vocabulary::read(symbols)?;
-    vocabulary.check()?;
-    Ok(vocabulary)
+fn read_checked(raw: &RawSymbols) -> Result<Symbols, Fault> {
+    let symbols = raw.read()?;
+    check(&symbols)?;
+    Ok(symbols)
 }
 
 impl Sheet {
-    /// Reads a sheet. Without `[symbols]` of its own it speaks `vocabulary`.
+    /// Reads a sheet. Without `[symbols]` of its own it speaks `symbols`.
     ///
     /// # Errors
     /// A [`Fault`]: malformed TOML, wrong `[symbols]`, a label that is empty or given twice, a premise that does not
     /// exist, a claim with itself among its premises, a sheet without an equation or without a claim. A formula that
     /// cannot be read is no fault of the sheet: its entry says so.
-    pub fn read(text: &str, vocabulary: &Vocabulary) -> Result<Self, Fault> {
+    pub fn read(text: &str, symbols: &Symbols) -> Result<Self, Fault> {
         let raw: RawSheet = parse(text)?;
         if raw.equation.is_empty() {
             return Err(Fault::new("the sheet has no [[equation]]"));
         }
-        Self::from_raw(&raw, &Text::new(text), vocabulary)
+        Self::from_raw(&raw, &Text::new(text), symbols)
     }
 
     /// The sheet of what stands in a text.
     ///
     /// # Errors
     /// As [`Sheet::read`].
-    pub(super) fn from_raw(raw: &RawSheet, lines: &Text, vocabulary: &Vocabulary) -> Result<Self, Fault> {
-        let vocabulary = match &raw.symbols {
-            None => vocabulary.clone(),
-            Some(symbols) => read_checked(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
-                let here = Source::new(lines, &Spanned::new(symbols.span(), String::new()));
+    pub(super) fn from_raw(raw: &RawSheet, lines: &Text, symbols: &Symbols) -> Result<Self, Fault> {
+        let symbols = match &raw.symbols {
+            None => symbols.clone(),
+            Some(own) => read_checked(&with_labels(own.get_ref(), &raw.equation)).map_err(|fault| {
+                let here = Source::new(lines, &Spanned::new(own.span(), String::new()));
                 fault.within("[symbols]").at(&here)
             })?,
         };
-        let mut vocabulary = vocabulary;
+        let mut symbols = symbols;
         let equations: Vec<RawEntry> = raw.equation.iter().flat_map(RawEntry::ways).collect();
-        vocabulary.names.defined = names_given(equations.iter().flat_map(RawEntry::defining), &vocabulary);
+        symbols.names.defined = names_given(equations.iter().flat_map(RawEntry::defining), &symbols);
         let positions = positions(lines, &equations)?;
         let needed = needed(&equations, &positions);
         let mut entries = Vec::new();
@@ -97,15 +96,15 @@ impl Sheet {
                 || positions
                     .get(label.as_str())
                     .is_some_and(|position| needed.contains(position));
-            entries.push(read_entry(lines, entry, &positions, &vocabulary, wanted));
+            entries.push(read_entry(lines, entry, &positions, &symbols, wanted));
         }
         refuse_two_spellings(&equations, &mut entries);
         refuse_alternative_matrices(&mut entries);
-        refuse_products_of_vectors(&equations, &mut entries, &vocabulary);
+        refuse_products_of_vectors(&equations, &mut entries, &symbols);
         if raw.symbols.is_some() {
-            refuse_indexed_parameters(&mut entries, &vocabulary);
-            refuse_constants_of_solutions(&mut entries, &vocabulary);
-            note_constants_of_solutions(&mut entries, &vocabulary);
+            refuse_indexed_parameters(&mut entries, &symbols);
+            refuse_constants_of_solutions(&mut entries, &symbols);
+            note_constants_of_solutions(&mut entries, &symbols);
         }
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
@@ -113,7 +112,7 @@ impl Sheet {
         }
         let mut sheet = Self {
             title: raw.title.clone(),
-            vocabulary,
+            symbols,
             entries,
             raw: Arc::new(raw.clone()),
         };
@@ -127,10 +126,10 @@ impl Sheet {
 
     /// Writes functions that definitions give out where they are applied.
     fn write_functions_out(&mut self) {
-        let vocabulary = &self.vocabulary;
+        let symbols = &self.symbols;
         let mut own: Vec<Given> = Vec::new();
         for entry in &mut self.entries {
-            let given = entry.take_functions(vocabulary).unwrap_or_else(|fault| {
+            let given = entry.take_functions(symbols).unwrap_or_else(|fault| {
                 entry.unread.get_or_insert(fault);
                 Given::default()
             });
@@ -142,7 +141,7 @@ impl Sheet {
             let below: Vec<&Given> = below.iter().filter_map(|&position| own.get(position)).collect();
             let given = own.get(position).cloned().unwrap_or_default();
             if let Some(entry) = self.entries.get_mut(position).filter(|entry| entry.unread.is_none()) {
-                entry.unread = entry.write_out(given, &below, vocabulary).err();
+                entry.unread = entry.write_out(given, &below, symbols).err();
             }
         }
     }
@@ -162,9 +161,9 @@ impl Sheet {
                 } else {
                     self.shared(entry)
                 };
-                let vocabulary = &self.vocabulary;
+                let symbols = &self.symbols;
                 if let Some(entry) = self.entries.get_mut(position) {
-                    let parted = shared.and_then(|shared| entry.part(vocabulary, &shared));
+                    let parted = shared.and_then(|shared| entry.part(symbols, &shared));
                     entry.unread = parted.err();
                 }
             }
@@ -185,9 +184,9 @@ impl Sheet {
             }
             let shared = self.shared(entry);
             let shared = shared.and_then(|shared| self.refuse_two_meanings(entry, &shared).map(|()| shared));
-            let vocabulary = &self.vocabulary;
+            let symbols = &self.symbols;
             if let Some(entry) = self.entries.get_mut(position) {
-                let checked = shared.and_then(|shared| entry.check(vocabulary, &shared, &elsewhere));
+                let checked = shared.and_then(|shared| entry.check(symbols, &shared, &elsewhere));
                 entry.unread = checked.err();
             }
         }
@@ -209,12 +208,12 @@ impl Sheet {
             return;
         };
         let shared = self.shared(entry);
-        let vocabulary = &self.vocabulary;
+        let symbols = &self.symbols;
         let mut entry = entry.clone();
         let checked = shared.and_then(|shared| {
-            entry.part(vocabulary, &shared)?;
+            entry.part(symbols, &shared)?;
             self.refuse_two_meanings(&entry, &shared)?;
-            entry.check(vocabulary, &shared, &elsewhere)
+            entry.check(symbols, &shared, &elsewhere)
         });
         entry.unread = checked.err();
         if let Some(place) = self.entries.get_mut(position) {
@@ -234,7 +233,7 @@ impl Sheet {
             let text = entry.local.iter_mut().find(|text| text.get_ref() == before)?;
             *text = with(text, after);
         }
-        Self::from_raw(&raw, &Text::new(""), &self.vocabulary).ok()
+        Self::from_raw(&raw, &Text::new(""), &self.symbols).ok()
     }
 
     /// The number of the `[[equation]]` that the entry at a position is read from, and the positions of all that is read
@@ -309,7 +308,7 @@ impl Sheet {
             let beside: Vec<Name> = definition
                 .local
                 .iter()
-                .filter_map(|(e, _)| Some(self.vocabulary.local(e)?.name))
+                .filter_map(|(e, _)| Some(local(e, &self.symbols)?.name))
                 .collect();
             let (own, new): (Vec<Local>, Vec<Local>) = definition
                 .own
@@ -432,7 +431,7 @@ impl Sheet {
             let assumed: Vec<&Tree> = assumed.flat_map(|(condition, _)| condition.sides()).collect();
             let is_said = |name: &&Name| {
                 let of_it = |side: &&Tree| speaks_of(side, name);
-                let runs = self.vocabulary.times.contains(name);
+                let runs = self.symbols.is_time(name);
                 assumed.iter().any(of_it) || (!runs && said.iter().any(of_it))
             };
             claim.for_all.iter().find(is_said).map(|name| {
@@ -493,7 +492,7 @@ fn parse(text: &str) -> Result<RawSheet, Fault> {
 }
 
 /// The symbols with each map that lists labels of the sheet given the TeX of these instead.
-fn with_labels(symbols: &Symbols, entries: &[RawEntry]) -> Symbols {
+fn with_labels(symbols: &RawSymbols, entries: &[RawEntry]) -> RawSymbols {
     let mut symbols = symbols.clone();
     let tex = |label: &String| {
         entries

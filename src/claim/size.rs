@@ -1,6 +1,6 @@
 //! The size of formulas once definitions are put in, computed before any of it is built.
 
-use crate::tex::{Name, Tree};
+use crate::tex::{Name, Symbols, Tree};
 use std::cell::Cell;
 use std::collections::HashMap;
 
@@ -62,6 +62,11 @@ impl<'a> Sizes<'a> {
             meanings: first,
             known: HashMap::new(),
         }
+    }
+
+    /// Takes definitions, and all abbreviations.
+    pub(super) fn within_sheet(symbols: &'a Symbols, definitions: impl Iterator<Item = (&'a Name, &'a Tree)>) -> Self {
+        Self::new(definitions.chain(symbols.abbreviations()))
     }
 
     /// Takes what names are replaced by, all at once: they may occur there again.

@@ -2,9 +2,7 @@
 //! constants of solutions.
 
 use super::entry::{Entry, RawEntry, Role};
-use super::nodes::{any, any_side};
-use super::vocabulary::{Vocabulary, index_of};
-use crate::tex::{Condition, Equation, Name, Operation, Tree, letters};
+use crate::tex::{Condition, Equation, Name, Operation, Symbols, Tree, any, any_side, index_of, letters};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Makes the entries `unread` that hold a letter which the formulas print in two ways: `\mathbf{a}` and `a`, `\phi` and
@@ -37,10 +35,10 @@ pub(super) fn refuse_two_spellings(raw: &[RawEntry], entries: &mut [Entry]) {
 
 /// Makes the entries `unread` that print a product `\times`, or `\cdot` of several letters, of letters in bold or under an arrow that
 /// are declared as numbers.
-pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry], vocabulary: &Vocabulary) {
+pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry], symbols: &Symbols) {
     let is_number = |letter: &str, accents: &[&str]| {
         let is_it = |name: &Name| name.base == letter && name.subscript.is_empty() && name.accents == accents;
-        vocabulary.parameters.iter().any(is_it)
+        symbols.parameters().any(is_it)
     };
     for (raw, entry) in raw.iter().zip(entries) {
         for tex in raw.formulas() {
@@ -110,10 +108,10 @@ pub(super) fn refuse_alternative_matrices(entries: &mut [Entry]) {
 }
 
 /// Whether this is a derivative of a function.
-fn is_derivative(node: &Tree, vocabulary: &Vocabulary) -> bool {
+fn is_derivative(node: &Tree, symbols: &Symbols) -> bool {
     match node {
         Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-            vocabulary.names.is_function(name)
+            symbols.names.is_function(name)
                 && (name.primes > 0 || name.accents.iter().any(|accent| accent.starts_with(r"\d")))
         }
         Tree::Operation(operation, _) => matches!(**operation, Operation::Derivative { order: 1.., .. }),
@@ -123,18 +121,18 @@ fn is_derivative(node: &Tree, vocabulary: &Vocabulary) -> bool {
 
 /// Notes the parameters of which nothing that a claim rests on speaks, where that is a differential equation or a recurrence:
 /// authors mean constants of its solution.
-pub(super) fn note_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
+pub(super) fn note_constants_of_solutions(entries: &mut [Entry], symbols: &Symbols) {
     let found = |entry: &Entry| -> Vec<Name> {
         let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
         let mut said = below.flat_map(|premise| &premise.equations);
-        let runs = |letter: &str| vocabulary.indices.iter().any(|name| name.base == letter);
+        let runs = |letter: &str| symbols.indices().any(|name| name.base == letter);
         let is_step = |node: &Tree| match node {
-            Tree::Symbol(name, _) => index_of(&name.subscript, &vocabulary.index).is_some_and(|shift| shift != 0),
+            Tree::Symbol(name, _) => index_of(&name.subscript, &symbols.index).is_some_and(|shift| shift != 0),
             _ => false,
         };
         let is_moved = said.any(|equation| {
             any_side(equation, &mut |node| {
-                is_derivative(node, vocabulary) || (runs(&vocabulary.index) && is_step(node))
+                is_derivative(node, symbols) || (runs(&symbols.index) && is_step(node))
             })
         });
         let stands = |name: &&Name| {
@@ -144,7 +142,7 @@ pub(super) fn note_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vo
                 .iter()
                 .any(|equation| any_side(equation, &mut |node| is_it(node)))
         };
-        let parameters = vocabulary.parameters.iter().filter(|_| is_moved);
+        let parameters = symbols.parameters().filter(|_| is_moved);
         parameters.filter(stands).cloned().collect()
     };
     let found: Vec<Vec<Name>> = entries.iter().map(found).collect();
@@ -154,14 +152,14 @@ pub(super) fn note_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vo
 }
 
 /// Makes what speaks of a parameter `unread` that carries an integer as its index: it is meant for a sequence.
-pub(super) fn refuse_indexed_parameters(entries: &mut [Entry], vocabulary: &Vocabulary) {
+pub(super) fn refuse_indexed_parameters(entries: &mut [Entry], symbols: &Symbols) {
     for entry in entries {
         let own = entry.local.iter().chain(&entry.with).map(|(equation, _)| equation);
         let mut met: Option<(Name, Name)> = None;
         for equation in entry.equations.iter().chain(own) {
             any_side(equation, &mut |node| {
                 if let Tree::Symbol(name, _) = node
-                    && let Some(letter) = vocabulary.index_in(name)
+                    && let Some(letter) = symbols.index_in(name)
                 {
                     met.get_or_insert_with(|| (name.clone(), letter.clone()));
                 }
@@ -181,7 +179,7 @@ pub(super) fn refuse_indexed_parameters(entries: &mut [Entry], vocabulary: &Voca
 
 /// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet
 /// speaks: with such constants authors mean that some solve it.
-pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
+pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], symbols: &Symbols) {
     let sides = |equation: &Equation| [equation.left.clone(), equation.right.clone()];
     let premises = entries.iter().filter(|entry| entry.role != Role::Claim);
     let known: Vec<Tree> = premises
@@ -194,7 +192,7 @@ pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &
         .filter_map(|(position, entry)| {
             let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
             let mut equations = below.flat_map(|premise| premise.equations.iter().flat_map(sides));
-            if !equations.any(|tree| any(&tree, &mut |node| is_derivative(node, vocabulary))) {
+            if !equations.any(|tree| any(&tree, &mut |node| is_derivative(node, symbols))) {
                 return None;
             }
             let mut given: Vec<Tree> = Vec::new();
@@ -205,16 +203,20 @@ pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &
                 Condition::Integer(_) => None,
             });
             given.extend(assumed.flat_map(sides));
-            let names = |tree: &Tree, name: &Name| any(tree, &mut |node| matches!(node, Tree::Symbol(own, _) if own == name));
+            let names =
+                |tree: &Tree, name: &Name| any(tree, &mut |node| matches!(node, Tree::Symbol(own, _) if own == name));
             entry.equations.iter().find_map(|equation| {
-                let runs = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if Some(name) == vocabulary.names.running.as_ref());
+                let runs =
+                    |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if Some(name) == symbols.names.running.as_ref());
                 let is_given = match &equation.left {
-                    Tree::Symbol(name, _) => vocabulary.names.is_function(name),
-                    Tree::Call(name, argument, _) => vocabulary.names.is_function(name) && runs(argument),
+                    Tree::Symbol(name, _) => symbols.names.is_function(name),
+                    Tree::Call(name, argument, _) => symbols.names.is_function(name) && runs(argument),
                     _ => false,
                 };
-                let is_free = |name: &&Name| names(&equation.right, name) && !known.iter().chain(&given).any(|tree| names(tree, name));
-                let free = vocabulary.parameters.iter().find(is_free).filter(|_| is_given)?;
+                let is_free = |name: &&Name| {
+                    names(&equation.right, name) && !known.iter().chain(&given).any(|tree| names(tree, name))
+                };
+                let free = symbols.parameters().find(is_free).filter(|_| is_given)?;
                 Some((position, equation.at.0, free.clone()))
             })
         })

@@ -5,12 +5,13 @@ use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
 use super::verdicts::{Audited, Row, Unusable, answer, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
-use crate::claim::{self, Document, Fault, Sheet, Vocabulary};
+use crate::claim::{self, Document, Fault, Sheet};
 use crate::prove;
 use crate::reference::Outcome;
 use crate::repair::Repair;
 use crate::report::{Baseline, Format, NewDirectory, OutputError};
 use crate::stop::Token;
+use crate::tex::Symbols;
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -76,12 +77,12 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         });
     }
     arguments.refuse_for_several(global)?;
-    let vocabulary = claim::vocabulary().map_err(|fault| in_sheet(PAPER, fault))?;
+    let symbols = claim::vocabulary().map_err(|fault| in_sheet(PAPER, fault))?;
     let options = prove::Options {
         effort: arguments.effort,
     };
     if let (Some(label), [] | [_]) = (&arguments.explain, arguments.sheets.as_slice()) {
-        let read = Read::new(arguments.sheets.first(), &vocabulary)?;
+        let read = Read::new(arguments.sheets.first(), &symbols)?;
         return explain(&read.sheet, label, &options, arguments.repair).map_err(|fault| in_sheet(&read.name, fault));
     }
     if let (true, [source]) = (arguments.draft, arguments.sheets.as_slice()) {
@@ -104,7 +105,7 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         sheets => sheets.iter().map(Some).collect(),
     };
     for source in sources {
-        match arguments.audited(source, &vocabulary, global) {
+        match arguments.audited(source, &symbols, global) {
             Ok(audited) => all.push(audited),
             Err(failure) if goes_on => {
                 super::say("error", &failure.to_string());
@@ -155,7 +156,7 @@ struct Read {
 }
 
 impl Read {
-    fn new(source: Option<&Source>, vocabulary: &Vocabulary) -> Result<Self, Failure> {
+    fn new(source: Option<&Source>, symbols: &Symbols) -> Result<Self, Failure> {
         let name = source.map_or(PAPER.to_owned(), Source::name);
         let (document, text) = match source {
             None => (None, claim::EQUATIONS.to_owned()),
@@ -176,9 +177,9 @@ impl Read {
                 document::tell(document, &name);
                 // where nothing is to be decided, what is wrong before says why
                 let cause = |fault: Fault| document.faults.first().cloned().unwrap_or(fault);
-                document.sheet(vocabulary).map_err(cause)
+                document.sheet(symbols).map_err(cause)
             }
-            None => Sheet::read(&text, vocabulary),
+            None => Sheet::read(&text, symbols),
         };
         let sheet = sheet.map_err(|fault| in_sheet(&name, fault))?;
         Ok(Self { name, sheet, document })
@@ -216,18 +217,18 @@ impl Arguments {
     fn audited(
         &self,
         source: Option<&Source>,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         global: &Options,
     ) -> Result<(Audited, Option<Document>), Failure> {
         let options = prove::Options { effort: self.effort };
         let mended = global.beside(self.repair_into.as_ref())?;
-        let Read { name, sheet, document } = Read::new(source, vocabulary)?;
+        let Read { name, sheet, document } = Read::new(source, symbols)?;
         if let Some(directory) = &self.proof {
             write_proofs(&sheet, directory, &options)?;
         }
         let rows = decide_sheet(&sheet, &name, &options, self.repair || mended.is_some())?;
         if let Some(mended) = &mended {
-            let text = with_repairs(source, &name, &sheet, vocabulary, &rows)?;
+            let text = with_repairs(source, &name, &sheet, symbols, &rows)?;
             mended.write(|to| to.write_all(text.as_bytes()))?;
         }
         let audited = Audited {
@@ -294,7 +295,7 @@ fn with_repairs(
     source: Option<&Source>,
     name: &str,
     sheet: &Sheet,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     rows: &[Row],
 ) -> Result<String, Failure> {
     let is_document = source.is_some_and(|source| document::markup(source).is_some());
@@ -305,7 +306,7 @@ fn with_repairs(
     let read = |text: &str| -> Option<mended::Content> {
         match source.filter(|_| is_document) {
             Some(source) => {
-                let sheet = document::of_text(source, text)?.sheet(vocabulary).ok()?;
+                let sheet = document::of_text(source, text)?.sheet(symbols).ok()?;
                 let entries = sheet.entries.into_iter();
                 // a label of its own is the line of the formula, which a comment before it changes
                 Some(mended::Content::Document(entries.map(|entry| entry.tex.tex).collect()))

@@ -23,8 +23,8 @@ pub fn verdicts(text: &str, name: &str) -> Result<Table, Failure> {
         name: name.to_owned(),
         fault: Box::new(fault),
     };
-    let vocabulary = claim::vocabulary().map_err(in_sheet)?;
-    let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
+    let symbols = claim::vocabulary().map_err(in_sheet)?;
+    let sheet = Sheet::read(text, &symbols).map_err(in_sheet)?;
     let rows = decide_sheet(&sheet, name, &prove::Options::default(), false)?;
     table(&rows, &sheet, Format::Text)
 }

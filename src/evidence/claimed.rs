@@ -4,8 +4,8 @@
 use super::compiler::{CONSTANT, Unwitnessed};
 use super::formula::{Binder, Formula, Op};
 use super::system::System;
-use crate::claim::{Statements, Vocabulary, any, any_side};
-use crate::tex::{At, Condition, Equation, Name, Operation, Relation, Tree};
+use crate::claim::Statements;
+use crate::tex::{At, Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side};
 
 /// The highest order up to which coefficients are compared.
 const HIGHEST: u32 = 6;
@@ -107,7 +107,7 @@ impl System {
         &mut self,
         equation: &Equation,
         statements: &Statements,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         flight: i32,
     ) -> Result<Sides, Unwitnessed> {
         let orders = orders(equation);
@@ -122,16 +122,16 @@ impl System {
             return Err(Unwitnessed::Kind("an order on the left of an equation"));
         }
         if !orders.is_empty() {
-            return self.up_to_orders(equation, &orders, statements, vocabulary, flight);
+            return self.up_to_orders(equation, &orders, statements, symbols, flight);
         }
         let Some(by) = integrated(equation) else {
-            return self.sides(equation, vocabulary, &statements.locals, None, flight);
+            return self.sides(equation, symbols, &statements.locals, None, flight);
         };
         if !is_added_constant(equation) {
             return Err(Unwitnessed::Kind("a constant of integration that is not added"));
         }
-        let sides = self.leaving_out(equation, statements, vocabulary, flight)?;
-        let by = self.letter_of(&by, statements, vocabulary)?;
+        let sides = self.leaving_out(equation, statements, symbols, flight)?;
+        let by = self.letter_of(&by, statements, symbols)?;
         let start = self.formulas.float(ANYWHERE);
         let mut slopes = Vec::new();
         for (left, right) in sides {
@@ -150,20 +150,20 @@ impl System {
         &mut self,
         equation: &Equation,
         statements: &Statements,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         flight: i32,
     ) -> Result<Sides, Unwitnessed> {
         if equation.relation != Relation::Equal {
             return Err(Unwitnessed::Kind("an inequality up to a constant or an order"));
         }
-        let mut compiler = self.compiler(vocabulary, &statements.locals);
+        let mut compiler = self.compiler(symbols, &statements.locals);
         (compiler.flight, compiler.is_up_to) = (flight, true);
         compiler.between(&equation.left, &equation.right)
     }
 
     /// The operation that a letter is read as, of which nothing else is said.
-    fn letter_of(&mut self, by: &Name, statements: &Statements, vocabulary: &Vocabulary) -> Result<Op, Unwitnessed> {
-        let mut compiler = self.compiler(vocabulary, &statements.locals);
+    fn letter_of(&mut self, by: &Name, statements: &Statements, symbols: &Symbols) -> Result<Op, Unwitnessed> {
+        let mut compiler = self.compiler(symbols, &statements.locals);
         let formula = compiler.tree(&Tree::Symbol(by.clone(), At::default()))?;
         match self.formulas.op(formula) {
             Op::Running => Ok(Op::Running),
@@ -177,7 +177,7 @@ impl System {
         equation: &Equation,
         orders: &[Tree],
         statements: &Statements,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         flight: i32,
     ) -> Result<Sides, Unwitnessed> {
         let unread = Unwitnessed::Kind("an order that is no power of what tends to something");
@@ -197,10 +197,10 @@ impl System {
             .and_then(|all| all.into_iter().min())
             .filter(|least| *least <= HIGHEST);
         let degree = degree.ok_or(unread)?;
-        let sides = self.leaving_out(equation, statements, vocabulary, flight)?;
-        let own = self.letter_of(&by, statements, vocabulary)?;
+        let sides = self.leaving_out(equation, statements, symbols, flight)?;
+        let own = self.letter_of(&by, statements, symbols)?;
         let sides_of = sides.iter().flat_map(|(left, right)| [*left, *right]);
-        if vocabulary.complex.contains(&by)
+        if symbols.is_complex(&by)
             && sides_of
                 .into_iter()
                 .any(|side| self.formulas.any(side, |op| !op.is_analytic()))
@@ -225,13 +225,13 @@ impl System {
             }
             (false, Tree::Operation(operation, _)) => match &**operation {
                 Operation::OneSided(to, is_above) => {
-                    let to = self.compiler(vocabulary, &statements.locals).tree(to)?;
+                    let to = self.compiler(symbols, &statements.locals).tree(to)?;
                     (self.formulas.add(to, bound), Some(*is_above))
                 }
                 _ => return Err(Unwitnessed::Kind("a limit stands where it is not read")),
             },
             (false, to) => {
-                let to = self.compiler(vocabulary, &statements.locals).tree(to)?;
+                let to = self.compiler(symbols, &statements.locals).tree(to)?;
                 (self.formulas.add(to, bound), None)
             }
         };
@@ -244,7 +244,7 @@ impl System {
                     None => zero(),
                     Some(is_above) => Tree::Operation(Box::new(Operation::OneSided(zero(), is_above)), At::default()),
                 };
-                let mut compiler = self.compiler(vocabulary, &statements.locals);
+                let mut compiler = self.compiler(symbols, &statements.locals);
                 let left = compiler.towards(pair[0], letter, &towards)?;
                 let right = compiler.towards(pair[1], letter, &towards)?;
                 coefficients.push((left, right));

@@ -5,9 +5,9 @@ use super::index::{index_runs, is_index, member};
 use super::maps::Maps;
 use super::space::{Slot, Space};
 use super::value::Function;
-use crate::claim::{Local, Vocabulary, index_of, number_of};
+use crate::claim::Local;
 use crate::number::{Field, Rational};
-use crate::tex::{Elementary, Invariant, Name, Tree};
+use crate::tex::{Elementary, Invariant, Name, Symbols, Tree, index_of, number_of};
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -36,7 +36,7 @@ pub const CONSTANT: &str = "C";
 
 /// Turns trees into formulas.
 pub struct Compiler<'a> {
-    pub vocabulary: &'a Vocabulary,
+    pub symbols: &'a Symbols,
     pub space: &'a mut Space,
     pub formulas: &'a mut Formulas,
     pub maps: &'a Maps,
@@ -66,9 +66,9 @@ pub struct Bound {
 }
 
 impl<'a> Compiler<'a> {
-    pub fn new(vocabulary: &'a Vocabulary, space: &'a mut Space, formulas: &'a mut Formulas, maps: &'a Maps) -> Self {
+    pub fn new(symbols: &'a Symbols, space: &'a mut Space, formulas: &'a mut Formulas, maps: &'a Maps) -> Self {
         Self {
-            vocabulary,
+            symbols,
             space,
             formulas,
             maps,
@@ -172,15 +172,14 @@ impl<'a> Compiler<'a> {
                 if let Some(local) = self.locals.iter().find(|local| local.name == *name) {
                     return self.unit(&local.tree);
                 }
-                let vocabulary = self.vocabulary;
-                if let Some((_, meaning)) = vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
+                let symbols = self.symbols;
+                if let Some(meaning) = symbols.abbreviation(name) {
                     return self.unit(meaning);
                 }
-                let is_counted = |listed: &Name| {
-                    index_runs(vocabulary) && listed.bare() == name.bare() && vocabulary.is_indexed(name)
-                };
+                let is_counted =
+                    |listed: &Name| index_runs(symbols) && listed.bare() == name.bare() && symbols.is_indexed(name);
                 let is_listed = |listed: &Name| listed == name || is_counted(listed);
-                let is_whole = vocabulary.integers.iter().any(is_listed) || is_index(vocabulary, name);
+                let is_whole = symbols.integers().any(is_listed) || is_index(symbols, name);
                 return is_whole.then(Rational::one);
             }
             Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => of(body)?,
@@ -209,7 +208,7 @@ impl<'a> Compiler<'a> {
                     base: base.to_string(),
                     ..Name::default()
                 }
-            && !self.vocabulary.parameters.contains(name)
+            && !self.symbols.is_parameter(name)
             && !self.locals.iter().any(|local| local.name == *name)
     }
 
@@ -223,23 +222,23 @@ impl<'a> Compiler<'a> {
         if let Some(local) = self.locals.iter().find(|local| local.name == *name) {
             return self.defined(name, &local.tree);
         }
-        if self.vocabulary.parameters.contains(name) {
+        if self.symbols.is_parameter(name) {
             let slot = self.space.slot(Slot::Parameter(name.clone()));
             return Ok(self.formulas.slot(slot));
         }
-        if let Some((_, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
+        if let Some(tree) = self.symbols.abbreviation(name) {
             return self.defined(name, tree);
         }
         if let Some(slot) = self.quantity(name) {
             return Ok(self.formulas.slot(slot));
         }
-        if self.vocabulary.running.as_ref() == Some(name) {
+        if self.symbols.running() == Some(name) {
             return Ok(self.formulas.make(Op::Running));
         }
         if name.mark.is_empty()
             && let Ok((course, level)) = self.course(name)
         {
-            let running = self.vocabulary.running.clone();
+            let running = self.symbols.running().cloned();
             let bound = self
                 .bound
                 .iter()
@@ -251,10 +250,10 @@ impl<'a> Compiler<'a> {
             };
             return Ok(self.formulas.make(Op::Value { course, level, time }));
         }
-        if is_index(self.vocabulary, name) {
+        if is_index(self.symbols, name) {
             let slot = self.space.slot(Slot::Parameter(name.clone()));
             // the letter that numbers members moves with them as it is
-            let is_moved = name.to_string() == self.vocabulary.index;
+            let is_moved = name.to_string() == self.symbols.index;
             let shift = if is_moved { 0 } else { i64::from(self.index_shift) };
             let (index, shift) = (self.formulas.slot(slot), self.formulas.integer(shift));
             return Ok(self.formulas.add(index, shift));
@@ -272,7 +271,7 @@ impl<'a> Compiler<'a> {
         if self.is_up_to && self.is_constant(name, CONSTANT) {
             return Ok(self.formulas.integer(0));
         }
-        if let Some((plain, is_odd)) = self.vocabulary.conjugated(name) {
+        if let Some((plain, is_odd)) = self.symbols.conjugated(name) {
             let plain = self.symbol(&plain)?;
             return Ok(match is_odd {
                 true => self.formulas.apply(Function::Conjugate, plain),
@@ -305,18 +304,18 @@ impl<'a> Compiler<'a> {
 
     /// The slot of an indexed time or state.
     pub fn quantity(&mut self, name: &Name) -> Option<usize> {
-        let member = || member(self.vocabulary, name);
+        let member = || member(self.symbols, name);
         let (bare, index) = (
             name.bare(),
-            index_of(&name.subscript, &self.vocabulary.index).or_else(member)?,
+            index_of(&name.subscript, &self.symbols.index).or_else(member)?,
         );
         if name.primes > 0 {
             return None;
         }
-        if name.mark.is_empty() && self.vocabulary.times.contains(&bare) {
+        if name.mark.is_empty() && self.symbols.is_time(&bare) {
             return Some(self.space.slot(Slot::Time { family: bare, index }));
         }
-        if !self.vocabulary.states.contains(&bare) || !matches!(name.mark.as_str(), "" | "-" | "+") {
+        if !self.symbols.is_state(&bare) || !matches!(name.mark.as_str(), "" | "-" | "+") {
             return None;
         }
         Some(self.state(bare, index, name.mark == "+"))
@@ -324,23 +323,23 @@ impl<'a> Compiler<'a> {
 
     /// The slot of a state; one that an impact does not change is the same before and after.
     pub fn state(&mut self, state: Name, index: i32, after: bool) -> usize {
-        let after = after && !self.vocabulary.continuous.contains(&state);
+        let after = after && !self.symbols.is_continuous(&state);
         self.space.slot(Slot::State { state, index, after })
     }
 
     /// The time of an impact.
     pub fn time(&mut self, index: i32) -> usize {
-        let family = self.vocabulary.times.first().cloned().unwrap_or_default();
+        let family = self.symbols.times().next().cloned().unwrap_or_default();
         self.space.slot(Slot::Time { family, index })
     }
 
     fn call(&mut self, function: &Name, argument: &Tree) -> Result<Formula, Unwitnessed> {
         let state = function.bare();
         if function.primes == 0
-            && self.vocabulary.states.contains(&state)
+            && self.symbols.is_state(&state)
             && let Tree::Symbol(time, _) = argument
-            && self.vocabulary.times.contains(&time.bare())
-            && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
+            && self.symbols.is_time(&time.bare())
+            && let Some(index) = index_of(&time.subscript, &self.symbols.index)
         {
             let slot = self.state(state, index, function.mark == "+");
             return Ok(self.formulas.slot(slot));
@@ -421,18 +420,17 @@ impl<'a> Compiler<'a> {
 
     /// A state with its derivatives: position, velocity, acceleration.
     fn motion(&self, name: &Name) -> Option<Vec<Name>> {
-        let states = &self.vocabulary.states;
-        let lowest = states
-            .iter()
-            .filter(|s| !states.iter().any(|other| other.dotted() == **s));
-        lowest
+        let states = self.symbols.states();
+        let is_derivative = |s: &Name| self.symbols.states().any(|other| other.dotted() == *s);
+        states
+            .filter(|s| !is_derivative(s))
             .map(|s| vec![s.clone(), s.dotted(), s.dotted().dotted()])
             .find(|names| names.contains(name))
     }
 
     /// The chain of a function: it with the integrals and derivatives that have names, from the highest integral down.
     fn chain(&self, name: &Name) -> Option<Vec<Name>> {
-        chains(self.vocabulary).into_iter().find(|chain| chain.contains(name))
+        chains(self.symbols).into_iter().find(|chain| chain.contains(name))
     }
 
     fn partial(&mut self, of: &Name, by: &Name) -> Result<Formula, Unwitnessed> {
@@ -455,23 +453,23 @@ impl<'a> Compiler<'a> {
     }
 }
 
-/// The functions of a vocabulary in chains, each the derivative of the one before it.
-pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
-    let functions = &vocabulary.functions;
+/// The functions of a symbol table in chains, each the derivative of the one before it.
+pub fn chains(symbols: &Symbols) -> Vec<Vec<Name>> {
+    let functions: Vec<(&Name, Option<&Tree>)> = symbols.functions().collect();
     let below = |name: &Name| {
-        let (_, tree) = functions.iter().find(|(known, _)| known == name)?;
+        let (_, tree) = functions.iter().find(|(known, _)| *known == name)?;
         match tree {
-            Some(Tree::Symbol(next, _)) => functions.iter().map(|(known, _)| known).find(|known| *known == next),
+            Some(Tree::Symbol(next, _)) => functions.iter().map(|(known, _)| *known).find(|known| *known == next),
             _ => None,
         }
     };
     let is_head = |name: &Name| {
         !functions
             .iter()
-            .any(|(other, _)| other != name && below(other) == Some(name))
+            .any(|(other, _)| *other != name && below(other) == Some(name))
     };
     let (heads, rest): (Vec<&Name>, Vec<&Name>) =
-        functions.iter().map(|(name, _)| name).partition(|name| is_head(name));
+        functions.iter().map(|(name, _)| *name).partition(|name| is_head(name));
     let mut chains: Vec<Vec<Name>> = Vec::new();
     for name in heads.into_iter().chain(rest) {
         let is_new = |chains: &[Vec<Name>], chain: &[Name], name: &Name| {

@@ -5,8 +5,8 @@ use super::formula::{Formula, Formulas, Law, Op};
 use super::space::Slot;
 use super::system::{Forcing, System};
 use super::value::Function;
-use crate::claim::{Statements, Vocabulary};
-use crate::tex::Name;
+use crate::claim::Statements;
+use crate::tex::{Name, Symbols};
 use std::collections::{BTreeSet, HashMap};
 
 /// How many harmonics stand for any function: with the constants of integration there are as many coefficients as
@@ -108,11 +108,11 @@ impl System {
     }
 
     /// Sorts laws into those that give a function and those that restrict one.
-    pub fn choose_laws(&mut self, laws: Vec<[Formula; 2]>, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
-        for chain in chains(vocabulary) {
-            let tail = vocabulary.functions.iter().find(|(name, _)| Some(name) == chain.last());
+    pub fn choose_laws(&mut self, laws: Vec<[Formula; 2]>, symbols: &Symbols) -> Result<(), Unwitnessed> {
+        for chain in chains(symbols) {
+            let tail = symbols.functions().find(|(name, _)| Some(*name) == chain.last());
             if let Some((_, Some(tree))) = tail {
-                let body = self.compiler(vocabulary, &[]).tree(tree)?;
+                let body = self.compiler(symbols, &[]).tree(tree)?;
                 let order = chain.len();
                 let course = self.space.course(chain, None);
                 if let Some(course) = self.space.courses.get_mut(course) {
@@ -174,7 +174,7 @@ impl System {
                 self.rows.push(row);
             }
         }
-        self.start_flows(vocabulary);
+        self.start_flows(symbols);
         Ok(())
     }
 
@@ -308,7 +308,7 @@ impl System {
     }
 
     /// Gives each course with a law for its derivative the values that it starts with.
-    fn start_flows(&mut self, vocabulary: &Vocabulary) {
+    fn start_flows(&mut self, symbols: &Symbols) {
         for number in 0..self.space.courses.len() {
             let Some(course) = self.space.courses.get(number).cloned() else {
                 continue;
@@ -318,16 +318,16 @@ impl System {
             };
             let start = match course.flight {
                 Some(flight) => {
-                    let time = self.compiler(vocabulary, &[]).time(flight);
+                    let time = self.compiler(symbols, &[]).time(flight);
                     self.formulas.slot(time)
                 }
                 None => self.formulas.float(START),
             };
             let mut initial = Vec::new();
             for term in 0..order {
-                let state = course.names.get(term).filter(|name| vocabulary.states.contains(name));
+                let state = course.names.get(term).filter(|name| symbols.is_state(name));
                 initial.push(match (state, course.flight) {
-                    (Some(state), Some(flight)) => self.compiler(vocabulary, &[]).state(state.clone(), flight, true),
+                    (Some(state), Some(flight)) => self.compiler(symbols, &[]).state(state.clone(), flight, true),
                     _ => self.space.slot(Slot::Coefficient { course: number, term }),
                 });
             }
@@ -345,7 +345,7 @@ impl System {
 
     /// Chooses where laws that give no function are tested at a point: at the running time where nothing else is used of
     /// the functions that they speak of, else at other times too, at which they hold if they do at every one.
-    pub fn test_laws(&mut self, used: &[Formula], vocabulary: &Vocabulary) {
+    pub fn test_laws(&mut self, used: &[Formula], symbols: &Symbols) {
         let running = self.formulas.make(Op::Running);
         let all = self.values_used(used, running);
         if all.is_empty() || self.restricting.is_empty() {
@@ -366,7 +366,7 @@ impl System {
                 tested.push(self.formulas.at(residual, time));
             }
         }
-        let tested: Vec<Formula> = tested.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        let tested: Vec<Formula> = tested.into_iter().map(|row| self.resolve(row, symbols)).collect();
         self.tested_program = self.formulas.program(&tested);
     }
 
@@ -402,7 +402,7 @@ impl System {
 
     /// A flight starts with the states of its impact and, unless the claim has a running time of its own, ends with
     /// those of the next one.
-    pub fn tie_flights(&mut self, statements: &Statements, vocabulary: &Vocabulary) {
+    pub fn tie_flights(&mut self, statements: &Statements, symbols: &Symbols) {
         for number in 0..self.space.courses.len() {
             let Some(course) = self.space.courses.get(number).cloned() else {
                 continue;
@@ -415,10 +415,10 @@ impl System {
             let ends = [(flight, true, order), (flight + 1, false, 0)];
             for (index, after, lowest) in ends.into_iter().take(1 + usize::from(to_its_end)) {
                 for (level, name) in course.names.iter().enumerate().skip(lowest) {
-                    if !vocabulary.states.contains(name) {
+                    if !symbols.is_state(name) {
                         continue;
                     }
-                    let mut compiler = self.compiler(vocabulary, &[]);
+                    let mut compiler = self.compiler(symbols, &[]);
                     let (time, state) = (compiler.time(index), compiler.state(name.clone(), index, after));
                     let (time, state) = (self.formulas.slot(time), self.formulas.slot(state));
                     let value = self.formulas.make(Op::Value {
@@ -434,7 +434,7 @@ impl System {
     }
 
     /// The formula with each function of time replaced by what stands for it.
-    pub fn resolve(&mut self, formula: Formula, vocabulary: &Vocabulary) -> Formula {
+    pub fn resolve(&mut self, formula: Formula, symbols: &Symbols) -> Formula {
         if !self.formulas.any(formula, |op| matches!(op, Op::Value { .. })) {
             return formula;
         }
@@ -445,7 +445,7 @@ impl System {
                 .op(part)
                 .map(|operand| new.get(&operand).copied().unwrap_or(operand));
             let made = match op {
-                Op::Value { course, level, time } => self.value_at(course, level, time, vocabulary),
+                Op::Value { course, level, time } => self.value_at(course, level, time, symbols),
                 op => self.formulas.make(op),
             };
             new.insert(part, made);
@@ -453,7 +453,7 @@ impl System {
         new.get(&formula).copied().unwrap_or(formula)
     }
 
-    fn value_at(&mut self, number: usize, level: usize, time: Formula, vocabulary: &Vocabulary) -> Formula {
+    fn value_at(&mut self, number: usize, level: usize, time: Formula, symbols: &Symbols) -> Formula {
         let Some(course) = self.space.courses.get(number).cloned() else {
             return self.formulas.float(f64::NAN);
         };
@@ -470,7 +470,7 @@ impl System {
             None => {
                 self.resolved.insert((number, level), None);
                 let slope = (order..level).fold(body, |body, _| self.formulas.slope(body, Op::Running));
-                let body = self.resolve(slope, vocabulary);
+                let body = self.resolve(slope, symbols);
                 self.resolved.insert((number, level), Some(body));
                 body
             }

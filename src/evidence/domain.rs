@@ -1,11 +1,10 @@
-//! Where symbols may lie: what their lists in the vocabulary and the conditions of sheet and claim allow.
+//! Where symbols may lie: what their lists in the symbol table and the conditions of sheet and claim allow.
 
 use super::compiler::{Compiler, Unwitnessed};
 use super::formula::{Formula, Op};
 use super::index::{index_runs, is_index};
 use super::space::{Slot, Space};
-use crate::claim::{Vocabulary, index_of};
-use crate::tex::{At, Name, Relation, Tree};
+use crate::tex::{At, Meaning, Name, Relation, Symbols, Tree, index_of};
 
 /// `left - right`, compared with 0.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +44,7 @@ pub struct Kind {
 }
 
 /// What each slot may hold.
-pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
+pub fn kinds(symbols: &Symbols, space: &Space) -> Vec<Kind> {
     let kind = |(slot, what): (usize, &Slot)| {
         let Some(name) = space.name(slot) else {
             return Kind::default();
@@ -54,39 +53,39 @@ pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
             Slot::Time { index, .. } | Slot::State { index, .. } => Some(*index),
             _ => None,
         };
-        let at = |known: &Name| index_of(&known.subscript, &vocabulary.index) == index || index_runs(vocabulary);
+        let at = |known: &Name| index_of(&known.subscript, &symbols.index) == index || index_runs(symbols);
         let is_side = |known: &Name| match what {
-            Slot::State { state, after, .. } => vocabulary.continuous.contains(state) || *after == (known.mark == "+"),
+            Slot::State { state, after, .. } => symbols.is_continuous(state) || *after == (known.mark == "+"),
             _ => true,
         };
         let indexed = |known: &Name| index.is_some() && known.bare() == *name && at(known) && is_side(known);
-        let listed = |list: &[Name]| list.iter().any(|known| known == name || indexed(known));
+        let listed = |kind: Meaning| symbols.all(&kind).any(|known| known == name || indexed(known));
         Kind {
-            positive: listed(&vocabulary.positive),
-            nonnegative: listed(&vocabulary.nonnegative),
-            nonzero: listed(&vocabulary.nonzero),
-            at_most_one: listed(&vocabulary.at_most_one),
-            integer: listed(&vocabulary.integers) || is_index(vocabulary, name),
-            index: index_runs(vocabulary) && is_index(vocabulary, name),
-            complex: listed(&vocabulary.complex),
-            generic: listed(&vocabulary.generic),
+            positive: listed(Meaning::Positive),
+            nonnegative: listed(Meaning::Nonnegative),
+            nonzero: listed(Meaning::Nonzero),
+            at_most_one: listed(Meaning::AtMostOne),
+            integer: listed(Meaning::Integer) || is_index(symbols, name),
+            index: index_runs(symbols) && is_index(symbols, name),
+            complex: listed(Meaning::Complex),
+            generic: listed(Meaning::Generic),
         }
     };
     space.slots.iter().enumerate().map(kind).collect()
 }
 
-/// The conditions that the lists of the vocabulary set for slots, and for abbreviations among them.
+/// The conditions that the lists of the symbol table set for slots, and for abbreviations among them.
 pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>, Unwitnessed> {
-    let vocabulary = compiler.vocabulary;
+    let symbols = compiler.symbols;
     let mut named: Vec<(Formula, Kind)> = Vec::new();
     for (slot, kind) in kinds.iter().enumerate() {
         named.push((compiler.formulas.slot(slot), *kind));
     }
     let lists = [
-        (vocabulary.positive.as_slice(), Relation::Greater),
-        (vocabulary.nonnegative.as_slice(), Relation::GreaterOrEqual),
-        (vocabulary.nonzero.as_slice(), Relation::NotEqual),
-        (vocabulary.at_most_one.as_slice(), Relation::LessOrEqual),
+        (Meaning::Positive, Relation::Greater),
+        (Meaning::Nonnegative, Relation::GreaterOrEqual),
+        (Meaning::Nonzero, Relation::NotEqual),
+        (Meaning::AtMostOne, Relation::LessOrEqual),
     ];
     let one = compiler.formulas.integer(1);
     let mut conditions = Vec::new();
@@ -103,11 +102,8 @@ pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>,
             push(compiler, formula, *relation);
         }
     }
-    for (list, relation) in lists {
-        for name in list
-            .iter()
-            .filter(|name| vocabulary.abbreviations.iter().any(|(known, _)| known == *name))
-        {
+    for (kind, relation) in lists {
+        for name in symbols.all(&kind).filter(|name| symbols.abbreviation(name).is_some()) {
             let formula = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
             if !matches!(compiler.formulas.op(formula), Op::Slot(_)) {
                 push(compiler, formula, relation);

@@ -12,9 +12,9 @@ use super::tolerance::{
     STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
-use crate::claim::{Fault, Sheet, Statements, Verdict, Vocabulary, any_side, number_of};
+use crate::claim::{Fault, Sheet, Statements, Verdict};
 use crate::number::{Sequence, Wide};
-use crate::tex::{Equation, Names, Relation, Tree, read_expression};
+use crate::tex::{Equation, Names, Relation, Symbols, Tree, any_side, number_of, read_expression};
 use std::collections::BTreeMap;
 
 /// What numbers say of one claim.
@@ -77,7 +77,7 @@ pub fn witness_near(
         .filter_map(|(name, value)| Some((name.as_str(), printed_value(value)?)))
         .collect();
     let statements = Statements::gather(sheet, position)?;
-    Ok(of_claim(&statements, &sheet.vocabulary, verdict, points, &named))
+    Ok(of_claim(&statements, &sheet.symbols, verdict, points, &named))
 }
 
 /// The value of a number as a counterexample prints it: a rational one, or one times pi.
@@ -96,17 +96,17 @@ fn printed_value(printed: &str) -> Option<f64> {
 
 fn of_claim(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     verdict: Verdict,
     points: usize,
     named: &[(&str, f64)],
 ) -> Evidence {
-    let system = match System::new(statements, vocabulary, Forcing::Any) {
+    let system = match System::new(statements, symbols, Forcing::Any) {
         Ok(system) => system,
         Err(reason) => return without_points(no_witness(&reason)),
     };
     let over = Witness {
-        vocabulary,
+        symbols,
         statements,
         system,
         verdict,
@@ -132,7 +132,7 @@ fn no_witness(reason: &Unwitnessed) -> String {
 
 /// A claim with its verdict.
 struct Witness<'a> {
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     statements: &'a Statements,
     system: System,
     verdict: Verdict,
@@ -615,11 +615,11 @@ impl Witness<'_> {
                 .any(|course| course.flight.is_none() && course.law.is_none())
         };
         // without times nothing is forced
-        let has_times = !self.vocabulary.times.is_empty() || self.vocabulary.running.is_some();
+        let has_times = self.symbols.times().next().is_some() || self.symbols.running().is_some();
         if !has_times || !is_forced(&self.system) {
             return false;
         }
-        let Ok(system) = System::new(self.statements, self.vocabulary, Forcing::Cosine) else {
+        let Ok(system) = System::new(self.statements, self.symbols, Forcing::Cosine) else {
             return false;
         };
         let other = Witness { system, ..*self };
@@ -898,8 +898,8 @@ mod tests {
     use crate::claim::read_symbols;
 
     fn paper() -> Sheet {
-        let vocabulary = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
-        Sheet::read(include_str!("../../golden/paper/equations.toml"), &vocabulary).unwrap()
+        let symbols = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
+        Sheet::read(include_str!("../../golden/paper/equations.toml"), &symbols).unwrap()
     }
 
     #[test]
@@ -938,8 +938,8 @@ mod tests {
         let labels: Vec<&str> = premises.iter().map(|(label, _)| *label).collect();
         text +=
             &format!("[[equation]]\nlabel = \"c\"\nrole = \"claim\"\ntex = '''{tex}'''\nfollows_from = {labels:?}\n");
-        let vocabulary = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
-        let sheet = Sheet::read(&text, &vocabulary).unwrap();
+        let symbols = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
+        let sheet = Sheet::read(&text, &symbols).unwrap();
         witness(&sheet, sheet.find("c").unwrap(), verdict, 6).unwrap()
     }
 

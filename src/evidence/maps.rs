@@ -10,7 +10,7 @@ pub struct Step {
     pub name: Name,
     pub of: Vec<usize>,
     pub by: Vec<usize>,
-    /// The equations that are meant, where the vocabulary gives them.
+    /// The equations that are meant, where the symbol table gives them.
     pub equations: Vec<Formula>,
     /// What each of `of` is, where the equations say so outright.
     pub images: Vec<Formula>,
@@ -18,7 +18,7 @@ pub struct Step {
     pub is_led: bool,
 }
 
-/// All maps of a vocabulary.
+/// All maps of a symbol table.
 #[derive(Clone, Debug, Default)]
 pub struct Maps {
     pub steps: Vec<Step>,

@@ -4,8 +4,7 @@
 use super::compiler::{Bound, Compiler, Unwitnessed};
 use super::formula::{Binder, Formula, Op, Side};
 use super::value::Function;
-use crate::claim::{any, index_of, number_of, rewrite};
-use crate::tex::{At, Case, Condition, Name, Operation, Relation, Series, Tree};
+use crate::tex::{At, Case, Condition, Name, Operation, Relation, Series, Tree, any, index_of, number_of, rewrite};
 
 /// The most rows of a matrix whose determinant or inverse is written out.
 const MOST_ROWS: usize = 5;
@@ -213,8 +212,8 @@ impl Compiler<'_> {
     /// The integer that a tree of numbers and of the running index is.
     fn whole(&self, tree: &Tree) -> Option<i64> {
         match tree {
-            Tree::Symbol(name, _) if super::index::is_index(self.vocabulary, name) => {
-                super::index::index_runs(self.vocabulary).then_some(i64::from(super::index::INDEX + self.index_shift))
+            Tree::Symbol(name, _) if super::index::is_index(self.symbols, name) => {
+                super::index::index_runs(self.symbols).then_some(i64::from(super::index::INDEX + self.index_shift))
             }
             Tree::Sum(terms) => terms.iter().map(|term| self.whole(term)).sum(),
             Tree::Negate(inner) => self.whole(inner).map(|value| -value),
@@ -258,7 +257,7 @@ impl Compiler<'_> {
     }
 
     fn limit(&mut self, of: &Tree, by: &Name, to: &Tree) -> Found<Formula> {
-        let is_integer = self.vocabulary.integers.contains(by);
+        let is_integer = self.symbols.is_integer(by);
         let (letter, body) = self.with_letter(by, is_integer, |own| own.tree(of))?;
         self.towards(body, letter, to)
     }
@@ -291,11 +290,11 @@ impl Compiler<'_> {
         if order > HIGHEST_DERIVATIVE {
             return refused("a derivative of so high an order");
         }
-        if self.vocabulary.is_indexed(by) || self.vocabulary.integers.contains(by) {
+        if self.symbols.is_indexed(by) || self.symbols.is_integer(by) {
             return refused("a derivative by what is no running number");
         }
         let (letter, body) = self.with_letter(by, false, |own| own.tree(of))?;
-        let is_complex = self.vocabulary.complex.contains(by);
+        let is_complex = self.symbols.is_complex(by);
         if is_complex && self.formulas.any(body, |op| !op.is_analytic()) {
             return refused("the derivative of what is not analytic");
         }
@@ -459,7 +458,7 @@ impl Compiler<'_> {
 
     fn is_transpose(&self, exponent: &Tree) -> bool {
         let is_name = |name: &Name| matches!(name.base.as_str(), "T" | r"\top") && name.subscript.is_empty();
-        matches!(exponent, Tree::Symbol(name, _) if is_name(name) && !self.vocabulary.parameters.contains(name))
+        matches!(exponent, Tree::Symbol(name, _) if is_name(name) && !self.symbols.is_parameter(name))
     }
 
     /// Returns true if a matrix stands in a tree or in what its names stand for.

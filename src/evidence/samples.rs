@@ -3,8 +3,8 @@
 use super::point::Style;
 use super::system::{Forcing, System};
 use super::value::{Complexes, Numbers, Reals, Value};
-use crate::claim::{Statements, Vocabulary};
-use crate::tex::Tree;
+use crate::claim::Statements;
+use crate::tex::{Symbols, Tree};
 
 /// Starts for each point wanted.
 const MOST_STARTS: usize = 12;
@@ -22,13 +22,13 @@ pub struct Samples {
 /// formulas `within` have values. Nothing where no such point is found.
 pub fn samples(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     of: &[Tree],
     within: &[Tree],
     wanted: usize,
 ) -> Option<Samples> {
     let all = [of, within].concat();
-    let system = System::asked(statements, vocabulary, Forcing::Any, &all).ok()?;
+    let system = System::asked(statements, symbols, Forcing::Any, &all).ok()?;
     let values = match system.is_complex {
         true => drawn::<Complexes>(&system, of.len(), wanted),
         false => drawn::<Reals>(&system, of.len(), wanted),

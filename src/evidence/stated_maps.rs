@@ -1,19 +1,19 @@
-//! The maps that the vocabulary and the premises state.
+//! The maps that the symbol table and the premises state.
 
 use super::compiler::{Compiler, Unwitnessed};
 use super::formula::{Formula, Op};
 use super::maps::{Maps, Step};
 use super::space::Slot;
-use crate::claim::{Map, Statements, Vocabulary, any_side, flies};
-use crate::tex::{Equation, Name, Tree};
+use crate::claim::Statements;
+use crate::tex::{Equation, Map, Name, Symbols, Tree, any_side, flies};
 
-/// The maps of a vocabulary.
+/// The maps of a symbol table.
 ///
 /// # Errors
 /// [`Unwitnessed`] where the equations of a map have no concrete form.
-pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Maps, Unwitnessed> {
+pub fn read_maps(symbols: &Symbols, compiler: &mut Compiler) -> Result<Maps, Unwitnessed> {
     let mut maps = Maps::default();
-    for (name, map) in &vocabulary.maps {
+    for (name, map) in symbols.maps() {
         let step = match map {
             Map::Product(factors) => {
                 maps.products.push((name.clone(), factors.clone()));
@@ -47,8 +47,8 @@ impl Maps {
     /// Tells to which maps premises lead: those of which one names what the map gives, all where there are laws of flight.
     pub fn tell_led(&mut self, statements: &Statements, compiler: &mut Compiler) {
         let equations = || statements.premises.iter().map(|premise| &premise.equation);
-        let vocabulary = compiler.vocabulary;
-        let flies = equations().any(|equation| flies(equation, vocabulary));
+        let symbols = compiler.symbols;
+        let flies = equations().any(|equation| flies(equation, symbols));
         for step in &mut self.steps {
             let is_of = |tree: &Tree, compiler: &mut Compiler| match tree {
                 Tree::Symbol(name, _) => compiler.quantity(name).is_some_and(|slot| step.of.contains(&slot)),
@@ -70,9 +70,9 @@ impl Maps {
         if !explicit && self.entry(above, below, compiler.space, compiler.formulas).is_some() {
             return;
         }
-        let vocabulary = compiler.vocabulary;
+        let symbols = compiler.symbols;
         let mut all = |subscript: &str| -> Vec<usize> {
-            let families = vocabulary.times.iter().chain(&vocabulary.states);
+            let families = symbols.times().chain(symbols.states());
             let indexed = families.map(|name| Name {
                 subscript: subscript.to_string(),
                 ..name.clone()
@@ -104,7 +104,7 @@ fn explicit(name: &Name, equations: &[Equation], compiler: &mut Compiler) -> Res
         match compiler.space.slots.get(slot) {
             Some(Slot::Time { index, .. }) => order.push((*index, 0, slot)),
             Some(Slot::State { state, index, .. }) => {
-                let rank = compiler.vocabulary.states.iter().position(|known| known == state);
+                let rank = compiler.symbols.states().position(|known| known == state);
                 order.push((*index, rank.map_or(usize::MAX, |rank| rank + 1), slot));
             }
             _ => {}

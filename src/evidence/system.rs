@@ -8,8 +8,11 @@ use super::maps::{Maps, Step};
 use super::space::{Slot, Space};
 use super::stated_maps::read_maps;
 use super::value::Function;
-use crate::claim::{Local, Premise, Statements, Vocabulary, any_side, flies, tree_runs};
-use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Operation, Relation, Tree};
+use crate::claim::{Local, Premise, Statements};
+use crate::tex::{
+    At, Condition as Assumption, Equation, Invariant, Name, Operation, Relation, Symbols, Tree, any_side, flies,
+    tree_runs,
+};
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
@@ -117,8 +120,8 @@ impl System {
     ///
     /// # Errors
     /// [`Unwitnessed`] where something has no concrete form.
-    pub fn new(statements: &Statements, vocabulary: &Vocabulary, forcing: Forcing) -> Result<Self, Unwitnessed> {
-        Self::asked(statements, vocabulary, forcing, &[])
+    pub fn new(statements: &Statements, symbols: &Symbols, forcing: Forcing) -> Result<Self, Unwitnessed> {
+        Self::asked(statements, symbols, forcing, &[])
     }
 
     /// Reads premises and claim, and other formulas in the names of the claim.
@@ -127,7 +130,7 @@ impl System {
     /// As [`System::new`].
     pub fn asked(
         statements: &Statements,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         forcing: Forcing,
         asked: &[Tree],
     ) -> Result<Self, Unwitnessed> {
@@ -149,13 +152,13 @@ impl System {
             questions: Vec::new(),
             start: None,
             runs: statements.claim_runs,
-            index_runs: numbers_members(statements, vocabulary),
+            index_runs: numbers_members(statements, symbols),
             shaped: false,
             restricting: Vec::new(),
             tested_program: Program::default(),
             divides: false,
             is_complex: false,
-            letter: vocabulary.index.clone(),
+            letter: symbols.index.clone(),
             rows_program: Program::default(),
             row_slots: Vec::new(),
             factors_program: Program::default(),
@@ -167,47 +170,47 @@ impl System {
             forcing,
             resolved: HashMap::new(),
         };
-        system.read(statements, vocabulary, asked)?;
+        system.read(statements, symbols, asked)?;
         Ok(system)
     }
 
-    pub fn compiler<'a>(&'a mut self, vocabulary: &'a Vocabulary, locals: &'a [Local]) -> Compiler<'a> {
+    pub fn compiler<'a>(&'a mut self, symbols: &'a Symbols, locals: &'a [Local]) -> Compiler<'a> {
         let shift = self.index_shift;
-        let mut compiler = Compiler::new(vocabulary, &mut self.space, &mut self.formulas, &self.maps);
+        let mut compiler = Compiler::new(symbols, &mut self.space, &mut self.formulas, &self.maps);
         (compiler.locals, compiler.index_shift) = (locals, shift);
         compiler
     }
 
-    fn read(&mut self, statements: &Statements, vocabulary: &Vocabulary, asked: &[Tree]) -> Result<(), Unwitnessed> {
-        let is_complex = |local: &Local| vocabulary.may_be_complex(&local.tree);
+    fn read(&mut self, statements: &Statements, symbols: &Symbols, asked: &[Tree]) -> Result<(), Unwitnessed> {
+        let is_complex = |local: &Local| symbols.may_be_complex(&local.tree);
         self.is_complex = statements.locals.iter().any(is_complex);
         let first = statements.first.unwrap_or(0);
-        let mut maps = read_maps(vocabulary, &mut self.compiler(vocabulary, &[]))?;
-        maps.tell_led(statements, &mut self.compiler(vocabulary, &[]));
+        let mut maps = read_maps(symbols, &mut self.compiler(symbols, &[]))?;
+        maps.tell_led(statements, &mut self.compiler(symbols, &[]));
         let mut written = partials(statements);
         // a derivative over several impacts is that over each of them where these are written too
-        written.sort_by_key(|(of, by)| vocabulary.impact(of).unwrap_or(0) - vocabulary.impact(by).unwrap_or(0));
+        written.sort_by_key(|(of, by)| symbols.impact(of).unwrap_or(0) - symbols.impact(by).unwrap_or(0));
         for (of, by) in written {
             let is_of = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == of);
             let said = statements
                 .premises
                 .iter()
                 .any(|premise| any_side(&premise.equation, &mut |tree| is_of(tree)));
-            maps.add_step(&of, &by, said, &mut self.compiler(vocabulary, &[]));
+            maps.add_step(&of, &by, said, &mut self.compiler(symbols, &[]));
         }
         self.maps = maps;
-        if let (Some(first), false) = (statements.first, vocabulary.times.is_empty()) {
-            self.start = Some(self.compiler(vocabulary, &[]).time(first));
+        if let (Some(first), false) = (statements.first, symbols.times().next().is_none()) {
+            self.start = Some(self.compiler(symbols, &[]).time(first));
         }
         let mut laws = Vec::new();
         let mut of_matrices: Vec<(&Equation, &[Local], Option<i32>)> = Vec::new();
-        let mut premises = said(statements, vocabulary).ok_or(Unwitnessed::Kind(TOO_FAR))?;
-        premises.extend(beside(statements, vocabulary).into_iter().map(|premise| (premise, 0)));
+        let mut premises = said(statements, symbols).ok_or(Unwitnessed::Kind(TOO_FAR))?;
+        premises.extend(beside(statements, symbols).into_iter().map(|premise| (premise, 0)));
         for (premise, by) in &premises {
             self.index_shift = *by;
             // an inequality at every integer binds more than it does at those few that are looked at
             let is_inequality = premise.equation.relation != Relation::Equal;
-            self.shaped |= is_inequality && speaks_of_index(&premise.equation, vocabulary);
+            self.shaped |= is_inequality && speaks_of_index(&premise.equation, symbols);
             let flight = if statements.claim_runs {
                 first
             } else {
@@ -217,7 +220,7 @@ impl System {
                 of_matrices.push((&premise.equation, &premise.locals, premise.first));
                 continue;
             }
-            let sides = self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, flight)?;
+            let sides = self.sides(&premise.equation, symbols, &premise.locals, premise.first, flight)?;
             if matches!(&premise.equation.left, Tree::Symbol(name, _) if is_pair(name)) {
                 // The symbol has either value.
                 let apart: Vec<Formula> = sides
@@ -246,7 +249,7 @@ impl System {
         let of_times = premises.iter().flat_map(|(premise, _)| &premise.assume);
         if of_times
             .flat_map(Assumption::sides)
-            .any(|side| tree_runs(side, vocabulary))
+            .any(|side| tree_runs(side, symbols))
         {
             return Err(Unwitnessed::Kind("a law that holds at some times alone has no witness"));
         }
@@ -259,44 +262,44 @@ impl System {
                 of_matrices.push((equation, locals, at));
                 continue;
             }
-            self.assume(condition, vocabulary, locals, at, &mut laws)?;
+            self.assume(condition, symbols, locals, at, &mut laws)?;
         }
         let assumed = given..self.rows.len();
-        for equation in &vocabulary.relations {
-            for (left, right) in self.sides(equation, vocabulary, &[], None, first)? {
+        for equation in &symbols.relations {
+            for (left, right) in self.sides(equation, symbols, &[], None, first)? {
                 self.sort(left, right, equation.relation, &mut laws)?;
             }
         }
-        for (name, shift) in &vocabulary.periods {
-            let mut compiler = self.compiler(vocabulary, &[]);
+        for (name, shift) in symbols.periods() {
+            let mut compiler = self.compiler(symbols, &[]);
             let value = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
             let shift = compiler.tree(shift)?;
             if let Op::Value { course, level, .. } = self.formulas.op(value) {
                 self.declare(course, level, shift);
             }
         }
-        self.choose_laws(laws, vocabulary)?;
-        self.tie_flights(statements, vocabulary);
+        self.choose_laws(laws, symbols)?;
+        self.tie_flights(statements, symbols);
         let rows = std::mem::take(&mut self.rows);
         let written: Vec<Written> = rows.iter().map(|row| self.written(*row)).collect();
-        let rows: Vec<Formula> = rows.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        let rows: Vec<Formula> = rows.into_iter().map(|row| self.resolve(row, symbols)).collect();
         self.rows = rows;
-        self.choose_step_rows(statements, &written, &assumed, vocabulary);
+        self.choose_step_rows(statements, &written, &assumed, symbols);
         self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
         for (equation, locals, at) in of_matrices {
-            for (left, right) in self.sides(equation, vocabulary, locals, at, first)? {
+            for (left, right) in self.sides(equation, symbols, locals, at, first)? {
                 let row = self.formulas.subtract(left, right);
                 self.late.push(row);
             }
         }
         let late = std::mem::take(&mut self.late);
-        self.late = late.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        self.late = late.into_iter().map(|row| self.resolve(row, symbols)).collect();
         let mut used = Vec::new();
         for equation in &statements.claims {
-            let pair = self.pair(equation, vocabulary, &statements.locals);
-            let sides = self.claimed(equation, statements, vocabulary, first)?;
+            let pair = self.pair(equation, symbols, &statements.locals);
+            let sides = self.claimed(equation, statements, symbols, first)?;
             used.extend(sides.iter().flat_map(|(left, right)| [*left, *right]));
-            let resolved = |(left, right): (Formula, Formula)| [left, right].map(|side| self.resolve(side, vocabulary));
+            let resolved = |(left, right): (Formula, Formula)| [left, right].map(|side| self.resolve(side, symbols));
             let sides = sides.into_iter().map(resolved).collect();
             self.questions.push(Question {
                 sides,
@@ -306,29 +309,29 @@ impl System {
             });
         }
         for local in &statements.locals {
-            let mut compiler = self.compiler(vocabulary, &statements.locals);
+            let mut compiler = self.compiler(symbols, &statements.locals);
             for value in compiler.value(&local.tree)?.flat() {
-                let value = self.resolve(value, vocabulary);
+                let value = self.resolve(value, symbols);
                 self.written.push(value);
             }
         }
         for tree in asked {
-            let mut compiler = self.compiler(vocabulary, &statements.locals);
+            let mut compiler = self.compiler(symbols, &statements.locals);
             compiler.flight = first;
             let value = compiler.tree(tree).ok();
             used.extend(value);
-            let value = value.map(|value| self.resolve(value, vocabulary));
+            let value = value.map(|value| self.resolve(value, symbols));
             self.asked.push(value);
         }
-        self.test_laws(&used, vocabulary);
-        self.finish(vocabulary)
+        self.test_laws(&used, symbols);
+        self.finish(symbols)
     }
 
     /// Both sides of an equation, under the upper sign and, where there is one, under the lower.
     pub(super) fn sides(
         &mut self,
         equation: &Equation,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         locals: &[Local],
         first: Option<i32>,
         flight: i32,
@@ -342,7 +345,7 @@ impl System {
         };
         let mut sides = Vec::new();
         for upper in if signed { vec![true, false] } else { vec![true] } {
-            let mut compiler = self.compiler(vocabulary, locals);
+            let mut compiler = self.compiler(symbols, locals);
             (compiler.first, compiler.flight, compiler.upper) = (first, flight, upper);
             sides.extend(compiler.between(&left, &equation.right)?);
         }
@@ -353,7 +356,7 @@ impl System {
     fn assume(
         &mut self,
         condition: &Assumption,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         locals: &[Local],
         first: Option<i32>,
         laws: &mut Vec<[Formula; 2]>,
@@ -361,12 +364,12 @@ impl System {
         match condition {
             Assumption::Relation(equation) if is_approach(equation) => {}
             Assumption::Relation(equation) => {
-                for (left, right) in self.sides(equation, vocabulary, locals, first, first.unwrap_or(0))? {
+                for (left, right) in self.sides(equation, symbols, locals, first, first.unwrap_or(0))? {
                     self.sort(left, right, equation.relation, laws)?;
                 }
             }
             Assumption::Integer(tree) => {
-                let formula = self.compiler(vocabulary, locals).tree(tree)?;
+                let formula = self.compiler(symbols, locals).tree(tree)?;
                 match self.formulas.op(formula) {
                     Op::Slot(slot) => self.integers.push(slot),
                     _ => {
@@ -382,7 +385,7 @@ impl System {
         Ok(())
     }
 
-    fn pair(&mut self, equation: &Equation, vocabulary: &Vocabulary, locals: &[Local]) -> Option<usize> {
+    fn pair(&mut self, equation: &Equation, symbols: &Symbols, locals: &[Local]) -> Option<usize> {
         let Tree::Symbol(name, at) = &equation.left else {
             return None;
         };
@@ -390,7 +393,7 @@ impl System {
             return None;
         }
         let symbol = self
-            .compiler(vocabulary, locals)
+            .compiler(symbols, locals)
             .tree(&Tree::Symbol(single(name), *at))
             .ok()?;
         match self.formulas.op(symbol) {
@@ -488,7 +491,7 @@ impl System {
         statements: &Statements,
         written: &[Written],
         assumed: &Range<usize>,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
     ) {
         let bound = self.bound(written);
         let rows = self.rows.clone();
@@ -500,11 +503,7 @@ impl System {
                 continue;
             }
             if !step.equations.is_empty() {
-                let rows: Vec<Formula> = step
-                    .equations
-                    .iter()
-                    .map(|row| self.resolve(*row, vocabulary))
-                    .collect();
+                let rows: Vec<Formula> = step.equations.iter().map(|row| self.resolve(*row, symbols)).collect();
                 let others = steps.iter().enumerate().filter(|(other, _)| *other != number);
                 let mut others = others.filter(|(_, other)| is_named(other));
                 // of two maps that lead to the same quantities the equations do not hold together
@@ -535,12 +534,12 @@ impl System {
     }
 
     /// Programs, conditions, and what stays fixed.
-    fn finish(&mut self, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
+    fn finish(&mut self, symbols: &Symbols) -> Result<(), Unwitnessed> {
         for law in 0..self.formulas.laws.len() {
             let Some(body) = self.formulas.laws.get(law).map(|law| law.body) else {
                 continue;
             };
-            let body = self.resolve(body, vocabulary);
+            let body = self.resolve(body, symbols);
             if let Some(law) = self.formulas.laws.get_mut(law) {
                 law.body = body;
             }
@@ -559,7 +558,7 @@ impl System {
         }
         let given = std::mem::take(&mut self.conditions);
         for condition in given {
-            let formula = self.resolve(condition.formula, vocabulary);
+            let formula = self.resolve(condition.formula, symbols);
             let condition = Condition { formula, ..condition };
             let slack = Slot::Slack(self.slacks.len());
             let slack = self.space.slot(slack);
@@ -572,11 +571,11 @@ impl System {
             });
             self.conditions.push(condition);
         }
-        self.kinds = domain::kinds(vocabulary, &self.space);
+        self.kinds = domain::kinds(symbols, &self.space);
         let kinds = self.kinds.clone();
-        let listed = domain::listed(&mut self.compiler(vocabulary, &[]), &kinds)?;
+        let listed = domain::listed(&mut self.compiler(symbols, &[]), &kinds)?;
         self.conditions.extend(listed);
-        self.kinds = domain::kinds(vocabulary, &self.space);
+        self.kinds = domain::kinds(symbols, &self.space);
         for slot in &self.integers {
             if let Some(kind) = self.kinds.get_mut(*slot) {
                 kind.integer = true;
@@ -740,8 +739,8 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
 }
 
 /// Returns true if a premise is about a member of a sequence that it numbers outright, as x_0.
-fn numbers_members(statements: &Statements, vocabulary: &Vocabulary) -> bool {
-    let is_member = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if member(vocabulary, name).is_some());
+fn numbers_members(statements: &Statements, symbols: &Symbols) -> bool {
+    let is_member = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if member(symbols, name).is_some());
     let mut premises = statements.premises.iter();
     premises.any(|premise| any_side(&premise.equation, &mut |tree| is_member(tree)))
 }
@@ -751,9 +750,9 @@ const TOO_FAR: &str = "what the claim names lies more impacts or indices apart t
 
 /// The premises at each flight that the claim speaks of; where an index runs, at each value of it that premises and
 /// claim name. `None` where these are too many.
-fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise, i32)>> {
-    let premises = statements.said(vocabulary)?;
-    if !index_runs(vocabulary) {
+fn said(statements: &Statements, symbols: &Symbols) -> Option<Vec<(Premise, i32)>> {
+    let premises = statements.said(symbols)?;
+    if !index_runs(symbols) {
         return Some(premises.into_iter().map(|premise| (premise, 0)).collect());
     }
     let equations = premises
@@ -764,10 +763,10 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
     let is_inequality = statements.claims.iter().any(|claim| claim.relation != Relation::Equal);
     let mut all = BTreeSet::from([if is_inequality { -1 } else { 0 }, 0]);
     for equation in equations {
-        all.extend(vocabulary.impacts(equation));
+        all.extend(symbols.impacts(equation));
         any_side(equation, &mut |tree| {
             if let Tree::Symbol(name, _) = tree {
-                all.extend(member(vocabulary, name));
+                all.extend(member(symbols, name));
             }
             false
         });
@@ -775,18 +774,18 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
     let (low, high) = (all.first().copied().unwrap_or(0), all.last().copied().unwrap_or(0));
     let mut instances = Vec::new();
     for premise in premises {
-        let named = vocabulary.impacts(&premise.equation);
+        let named = symbols.impacts(&premise.equation);
         match (named.first(), named.last()) {
             (Some(first), Some(last)) => {
                 let shifts = low - first..=high - last;
                 if shifts.clone().nth(MOST_INSTANCES).is_some() {
                     return None;
                 }
-                instances.extend(shifts.map(|by| (premise.shifted(by, vocabulary), by)));
+                instances.extend(shifts.map(|by| (premise.shifted(by, symbols), by)));
             }
             // of an index that stands by itself a premise says something at every integer
-            _ if speaks_of_index(&premise.equation, vocabulary) => {
-                instances.extend((-3..=3).map(|by| (premise.shifted(by, vocabulary), by)));
+            _ if speaks_of_index(&premise.equation, symbols) => {
+                instances.extend((-3..=3).map(|by| (premise.shifted(by, symbols), by)));
             }
             _ => instances.push((premise, 0)),
         }
@@ -796,19 +795,19 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
 
 /// The laws of flight that restrict the states at its ends, in the flights that end at the first impact and start at the
 /// last: those that give a state itself, and name fewer states at their own impact than there are.
-fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
+fn beside(statements: &Statements, symbols: &Symbols) -> Vec<Premise> {
     // a claim that names no impact is bound by those that its premises name
     let named = statements
         .premises
         .iter()
-        .flat_map(|premise| vocabulary.impacts(&premise.equation));
+        .flat_map(|premise| symbols.impacts(&premise.equation));
     let named: BTreeSet<i32> = named.collect();
     let of_premises = named.first().copied().zip(named.last().copied());
     let of_claim = statements.first.zip(statements.last);
     let Some((first, last)) = of_claim.or(of_premises).filter(|_| !statements.claim_runs) else {
         return Vec::new();
     };
-    let is_state = |name: &Name| vocabulary.states.contains(&name.bare());
+    let is_state = |name: &Name| symbols.is_state(&name.bare());
     let gives_a_state = |tree: &Tree| match tree {
         Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
         _ => false,
@@ -828,23 +827,23 @@ fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
     };
     let restricts = |premise: &&Premise| {
         gives_a_state(&premise.equation.left)
-            && flies(&premise.equation, vocabulary)
-            && named(&premise.equation) < vocabulary.states.len()
+            && flies(&premise.equation, symbols)
+            && named(&premise.equation) < symbols.states().count()
     };
     let laws = statements.premises.iter().filter(restricts);
     // there is one flight where one impact is named
     let after = last.max(first + 1);
-    laws.flat_map(|law| [first - 1, after].map(|flight| law.said_in(flight, vocabulary)))
+    laws.flat_map(|law| [first - 1, after].map(|flight| law.said_in(flight, symbols)))
         .collect()
 }
 
 /// Values of a running index at which a premise is taken.
 const MOST_INSTANCES: usize = 16;
 
-fn speaks_of_index(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+fn speaks_of_index(equation: &Equation, symbols: &Symbols) -> bool {
     any_side(
         equation,
-        &mut |tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.indices.contains(name)),
+        &mut |tree| matches!(tree, Tree::Symbol(name, _) if symbols.is_index(name)),
     )
 }
 

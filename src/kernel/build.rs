@@ -6,9 +6,11 @@ use super::statement::{
     is_letter,
 };
 use super::term::{Elementary, Node, Symbol, Term};
-use crate::claim::{Local, Map, Statements, Vocabulary, index_of, pair_of};
+use crate::claim::{Local, Statements};
 use crate::number::Rational;
-use crate::tex::{self, At, Condition, Equation, Invariant, Name, Relation, Tree};
+use crate::tex::{
+    self, At, Condition, Equation, Invariant, Map, Meaning, Name, Relation, Symbols, Tree, index_of, pair_of,
+};
 use std::collections::{BTreeSet, HashMap};
 
 /// What a claim asks of one of its equations: all of these must hold for it.
@@ -36,17 +38,17 @@ const MOST_TERMS: usize = 400_000;
 /// The questions that a claim asks.
 ///
 /// # Errors
-/// [`Unreadable`] where something has no meaning in this vocabulary.
-pub fn questions(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Question>, Unreadable> {
+/// [`Unreadable`] where something has no meaning among these symbols.
+pub fn questions(statements: &Statements, symbols: &Symbols) -> Result<Vec<Question>, Unreadable> {
     // what functions need to have values depends on whether complex numbers take part
-    let asked = asked(statements, vocabulary, false)?;
+    let asked = asked(statements, symbols, false)?;
     if asked.iter().any(|question| question.statement.complex) {
-        return self::asked(statements, vocabulary, true);
+        return self::asked(statements, symbols, true);
     }
     Ok(asked)
 }
 
-fn asked(statements: &Statements, vocabulary: &Vocabulary, complex: bool) -> Result<Vec<Question>, Unreadable> {
+fn asked(statements: &Statements, symbols: &Symbols, complex: bool) -> Result<Vec<Question>, Unreadable> {
     let mut questions = Vec::new();
     for equation in &statements.claims {
         let pair = match &equation.left {
@@ -54,14 +56,14 @@ fn asked(statements: &Statements, vocabulary: &Vocabulary, complex: bool) -> Res
             _ => None,
         };
         match pair {
-            Some(name) => questions.extend(pair_questions(statements, vocabulary, equation, &name, complex)?),
+            Some(name) => questions.extend(pair_questions(statements, symbols, equation, &name, complex)?),
             None => {
                 let signs: &[Option<bool>] = match has_sign(&equation.left) || has_sign(&equation.right) {
                     true => &[Some(true), Some(false)],
                     false => &[None],
                 };
                 for &upper in signs {
-                    let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
+                    let (mut builder, at) = Builder::given(statements, symbols, complex)?;
                     builder.upper = upper;
                     let goal = builder.claim(equation, at)?;
                     builder.write_claims(statements, equation)?;
@@ -86,7 +88,7 @@ fn question(equation: &Equation, instance: &str, statement: Statement) -> Questi
 /// `x_{1,2} = a \pm b`: every solution of the premises for x is one of the two values, and where there is one, each value is a solution.
 fn pair_questions(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     equation: &Equation,
     name: &Name,
     complex: bool,
@@ -99,7 +101,7 @@ fn pair_questions(
         Ok([of(true)?, of(false)?])
     };
     let mut questions = Vec::new();
-    let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
+    let (mut builder, at) = Builder::given(statements, symbols, complex)?;
     let [first, second] = values(&mut builder, at)?;
     let symbol = builder.in_claim(&Tree::Symbol(name.clone(), equation.at), at)?;
     let Node::Symbol(pair) = *builder.statement.terms.node(symbol) else {
@@ -118,7 +120,7 @@ fn pair_questions(
         builder.finish(vec![(Property::Zero, product)])?,
     ));
     for sign in [0, 1] {
-        let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
+        let (mut builder, at) = Builder::given(statements, symbols, complex)?;
         let values = values(&mut builder, at)?;
         builder.statement.beside.extend(values);
         builder.written.extend(values);
@@ -135,7 +137,7 @@ fn pair_questions(
 }
 
 fn has_sign(tree: &Tree) -> bool {
-    crate::claim::any(tree, &mut |node| {
+    crate::tex::any(tree, &mut |node| {
         matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
     })
 }
@@ -165,7 +167,7 @@ struct Scope<'a> {
 }
 
 struct Builder<'a> {
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     statement: Statement,
     locals: &'a [Local],
     scope: Scope<'a>,
@@ -179,14 +181,14 @@ struct Builder<'a> {
     /// The same of what an abbreviation stands for, and whether that is read over the reals alone.
     meant: HashMap<Term, (Vec<(Property, Term)>, bool)>,
     open: Vec<Name>,
-    symbols: HashMap<(Name, usize), Term>,
+    known: HashMap<(Name, usize), Term>,
     real_only: bool,
     opaque: bool,
     /// Whether what `[symbols]` says of signs is among the givens.
     is_declared: bool,
     /// The labels of premises whose own conditions may hold at single points only: no map is differentiated there.
     pointwise: Vec<String>,
-    /// The maps from one impact to the next whose derivatives are written, where the vocabulary names no map.
+    /// The maps from one impact to the next whose derivatives are written, where the symbol table names no map.
     implied: Vec<(Name, Step)>,
     /// The names that the premises write, and whether one of them is a law of flight.
     spoken: BTreeSet<Name>,
@@ -197,11 +199,7 @@ struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     /// All that is given, before the claim is read; and the flight that the claim speaks of.
-    fn given(
-        statements: &'a Statements,
-        vocabulary: &'a Vocabulary,
-        complex: bool,
-    ) -> Result<(Self, usize), Unreadable> {
+    fn given(statements: &'a Statements, symbols: &'a Symbols, complex: bool) -> Result<(Self, usize), Unreadable> {
         let none = Scope {
             locals: &[],
             number: 0,
@@ -209,13 +207,13 @@ impl<'a> Builder<'a> {
             in_flight: false,
         };
         let mut builder = Self {
-            vocabulary,
+            symbols,
             statement: Statement {
                 identity: next_identity(),
                 complex,
-                states: vocabulary.states.clone(),
-                continuous: vocabulary.continuous.clone(),
-                letter: vocabulary.index.clone(),
+                states: symbols.states().cloned().collect(),
+                continuous: symbols.continuous().cloned().collect(),
+                letter: symbols.index.clone(),
                 ..Statement::default()
             },
             locals: &statements.locals,
@@ -226,7 +224,7 @@ impl<'a> Builder<'a> {
             brought: Vec::new(),
             meant: HashMap::new(),
             open: Vec::new(),
-            symbols: HashMap::new(),
+            known: HashMap::new(),
             real_only: false,
             opaque: false,
             is_declared: false,
@@ -237,7 +235,7 @@ impl<'a> Builder<'a> {
             assumed_integers: statements.assume.iter().filter_map(assumed_integer).collect(),
         };
         for premise in &statements.premises {
-            builder.has_flight |= crate::claim::flies(&premise.equation, vocabulary);
+            builder.has_flight |= crate::tex::flies(&premise.equation, symbols);
             builder.spoken.append(&mut names_in(&premise.equation));
         }
         builder.opaque = builder.is_opaque(statements);
@@ -271,7 +269,7 @@ impl<'a> Builder<'a> {
                 builder.push(CLAIM_DOMAIN, property, term, None);
             }
         }
-        for relation in &vocabulary.relations {
+        for relation in &symbols.relations {
             let (property, term) = builder.relation(relation)?;
             builder.push(&relation.to_string(), property, term, None);
             for (property, term) in std::mem::take(&mut builder.brought) {
@@ -295,7 +293,7 @@ impl<'a> Builder<'a> {
     }
 
     fn first_impact(&self, equation: &Equation) -> Option<i32> {
-        self.vocabulary.impacts(equation).first().copied()
+        self.symbols.impacts(equation).first().copied()
     }
 
     fn scope_of(&self, equation: &Equation, locals: &'a [Local], number: usize, first: Option<i32>) -> Scope<'a> {
@@ -304,7 +302,7 @@ impl<'a> Builder<'a> {
             locals,
             number,
             flight: first.unwrap_or(0),
-            in_flight: crate::claim::flies(equation, self.vocabulary),
+            in_flight: crate::tex::flies(equation, self.symbols),
         }
     }
 
@@ -375,8 +373,8 @@ impl<'a> Builder<'a> {
     }
 
     fn runs_over_indices(&mut self, term: Term) -> bool {
-        let indices = &self.vocabulary.indices;
-        let members_run = indices.iter().any(|letter| letter.to_string() == self.vocabulary.index);
+        let mut indices = self.symbols.indices();
+        let members_run = indices.any(|letter| letter.to_string() == self.symbols.index);
         let written = self.statement.written_out(term);
         self.statement
             .terms
@@ -386,7 +384,7 @@ impl<'a> Builder<'a> {
                 Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
                     Some(Quantity::State { .. } | Quantity::Time { .. }) => members_run,
                     // the index itself
-                    Some(Quantity::Parameter(name)) => indices.contains(name),
+                    Some(Quantity::Parameter(name)) => self.symbols.is_index(name),
                     _ => false,
                 },
                 _ => false,
@@ -424,7 +422,7 @@ impl<'a> Builder<'a> {
         let upper = self.upper;
         let Scope { flight, in_flight, .. } = self.scope;
         for other in statements.claims.iter().filter(|&other| other != decided) {
-            let flies = crate::claim::flies(other, self.vocabulary);
+            let flies = crate::tex::flies(other, self.symbols);
             self.own_scope(self.first_impact(other).unwrap_or(flight), flies);
             for sign in match upper.is_none() && (has_sign(&other.left) || has_sign(&other.right)) {
                 true => vec![Some(true), Some(false)],
@@ -527,7 +525,7 @@ impl<'a> Builder<'a> {
     /// Whether a symbol is declared complex.
     fn may_be_complex(&self, symbol: Symbol) -> bool {
         let quantity = self.statement.quantity(symbol);
-        matches!(quantity, Some(Quantity::Parameter(name)) if self.vocabulary.complex.contains(name))
+        matches!(quantity, Some(Quantity::Parameter(name)) if self.symbols.is_complex(name))
     }
 
     /// Whether a term is a polynomial in a symbol of degree 1 or more, with a number that is not 0 as leading coefficient
@@ -651,24 +649,21 @@ impl<'a> Builder<'a> {
     /// Where laws of flight are given, the impacts at which states are named have times.
     fn name_times(&mut self) {
         let is_flight = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
-        let (Some(family), true) = (
-            self.vocabulary.times.first(),
-            self.statement.givens.iter().any(is_flight),
-        ) else {
+        let (Some(family), true) = (self.symbols.times().next(), self.statement.givens.iter().any(is_flight)) else {
             return;
         };
         for quantity in self.statement.quantities.clone() {
             if let Quantity::State { index, .. } = quantity {
-                self.statement.time(family, index, &self.vocabulary.index);
+                self.statement.time(family, index, &self.symbols.index);
             }
         }
     }
 
     fn is_complex(&mut self) -> bool {
         let declared = |quantity: &Quantity| match quantity {
-            Quantity::Parameter(name) => self.vocabulary.complex.contains(name),
+            Quantity::Parameter(name) => self.symbols.is_complex(name),
             Quantity::State { state, .. } | Quantity::Absolute { state, .. } => {
-                self.vocabulary.complex.iter().any(|name| name.bare() == *state)
+                self.symbols.complex().any(|name| name.bare() == *state)
             }
             _ => false,
         };
@@ -699,21 +694,19 @@ impl<'a> Builder<'a> {
     /// What `[symbols]` says of each symbol that the claim or its premises speak of.
     fn declare_signs(&mut self) -> Result<(), Unreadable> {
         self.is_declared = true;
-        let vocabulary = self.vocabulary;
+        let symbols = self.symbols;
         let lists = [
-            (&vocabulary.positive, Property::Positive),
-            (&vocabulary.nonnegative, Property::NonNegative),
-            (&vocabulary.nonzero, Property::Nonzero),
-            (&vocabulary.integers, Property::Integer),
-            (&vocabulary.indices, Property::Integer),
+            (Meaning::Positive, Property::Positive),
+            (Meaning::Nonnegative, Property::NonNegative),
+            (Meaning::Nonzero, Property::Nonzero),
+            (Meaning::Integer, Property::Integer),
+            (Meaning::Index, Property::Integer),
         ];
         // an abbreviation that is declared positive is so whether or not it is written
-        for (name, _) in &vocabulary.abbreviations {
-            let is_listed = lists.iter().any(|(list, _)| list.contains(name)) || vocabulary.at_most_one.contains(name);
+        for (name, _) in symbols.abbreviations() {
+            let is_listed = lists.iter().any(|(kind, _)| symbols.is(name, kind)) || symbols.is_at_most_one(name);
             let symbol = Tree::Symbol(name.clone(), Default::default());
-            let is_timeless = vocabulary
-                .impacts(&Equation::between(symbol.clone(), symbol))
-                .is_empty();
+            let is_timeless = symbols.impacts(&Equation::between(symbol.clone(), symbol)).is_empty();
             if is_listed && (is_timeless || !self.statement.times.is_empty()) {
                 self.own_scope(0, false);
                 self.tree(&Tree::Symbol(name.clone(), Default::default()))?;
@@ -726,22 +719,22 @@ impl<'a> Builder<'a> {
                 Quantity::Parameter(name) | Quantity::Local { name, scope: 0 } => name.clone(),
                 Quantity::State { state, .. } => state.clone(),
                 Quantity::Time { family, .. } => family.clone(),
-                Quantity::Running => vocabulary.running.clone().unwrap_or_default(),
+                Quantity::Running => symbols.running().cloned().unwrap_or_default(),
                 _ => continue,
             };
             let label = format!("[symbols] {name}");
             let term = self.statement.terms.symbol(symbol);
-            for (list, property) in lists {
-                if self.is_listed(&quantity, list) {
-                    self.push(&label, property, term, None);
+            for (kind, property) in &lists {
+                if self.is_listed(&quantity, kind) {
+                    self.push(&label, *property, term, None);
                 }
             }
-            if self.is_listed(&quantity, &vocabulary.at_most_one) {
+            if self.is_listed(&quantity, &Meaning::AtMostOne) {
                 let one = self.statement.terms.integer(1);
                 let rest = self.statement.terms.difference(one, term);
                 self.push(&label, Property::NonNegative, rest, None);
             }
-            if self.is_listed(&quantity, &vocabulary.generic) {
+            if self.is_listed(&quantity, &Meaning::Generic) {
                 self.statement.generic.push(symbol);
             }
         }
@@ -750,27 +743,27 @@ impl<'a> Builder<'a> {
 
     /// Whether a list of `[symbols]` names a quantity: states and times by an index, which stands for every one where
     /// it runs.
-    fn is_listed(&self, quantity: &Quantity, list: &[Name]) -> bool {
-        let letter = &self.vocabulary.index;
-        let runs = self.vocabulary.indices.iter().any(|name| is_letter(name, letter));
+    fn is_listed(&self, quantity: &Quantity, kind: &Meaning) -> bool {
+        let letter = &self.symbols.index;
+        let runs = self.symbols.indices().any(|name| is_letter(name, letter));
         let at =
             |name: &Name, index: i32| index_of(&name.subscript, letter).is_some_and(|listed| runs || listed == index);
-        list.iter().any(|name| match quantity {
+        self.symbols.all(kind).any(|name| match quantity {
             Quantity::Parameter(known) | Quantity::Local { name: known, scope: 0 } => name == known,
             Quantity::State { state, index, after } => {
                 let continuous = self.statement.continuous.contains(state);
                 name.bare() == *state && at(name, *index) && (continuous || *after == (name.mark == "+"))
             }
             Quantity::Time { family, index } => name.bare() == *family && at(name, *index),
-            Quantity::Running => self.vocabulary.running.as_ref() == Some(name),
+            Quantity::Running => self.symbols.running() == Some(name),
             _ => false,
         })
     }
 
     fn declare_derivatives(&mut self) -> Result<(), Unreadable> {
-        for (name, derivative) in &self.vocabulary.functions {
+        for (name, derivative) in self.symbols.functions() {
             if let Some(Tree::Symbol(next, _)) = derivative
-                && self.is_function(next)
+                && self.symbols.is_function(next)
             {
                 let function = self.statement.function_of(FunctionOf::Line(name.clone()));
                 let next = self.statement.function_of(FunctionOf::Line(next.clone()));
@@ -778,10 +771,9 @@ impl<'a> Builder<'a> {
             }
         }
         // a derivative that is a formula is a law: f' = formula at every time
-        for (name, derivative) in &self.vocabulary.functions {
-            let Some(tree) = derivative
-                .as_ref()
-                .filter(|tree| !matches!(tree, Tree::Symbol(next, _) if self.is_function(next)))
+        for (name, derivative) in self.symbols.functions() {
+            let Some(tree) =
+                derivative.filter(|tree| !matches!(tree, Tree::Symbol(next, _) if self.symbols.is_function(next)))
             else {
                 continue;
             };
@@ -796,7 +788,7 @@ impl<'a> Builder<'a> {
     }
 
     fn declare_periods(&mut self) -> Result<(), Unreadable> {
-        for (name, period) in &self.vocabulary.periods {
+        for (name, period) in self.symbols.periods() {
             let (time, period) = (self.running()?, self.tree(period)?);
             let later = self.statement.terms.sum(vec![time, period]);
             let (now, then) = (self.value_of(name, 0, time)?, self.value_of(name, 0, later)?);
@@ -811,21 +803,9 @@ impl<'a> Builder<'a> {
         if let Some(running) = self.running {
             return Ok(running);
         }
-        let printed = self
-            .vocabulary
-            .running
-            .as_ref()
-            .map_or("t".to_string(), Name::to_string);
+        let printed = self.symbols.running().map_or("t".to_string(), Name::to_string);
         let symbol = self.statement.symbol_of(Quantity::Running, || printed);
         Ok(self.statement.terms.symbol(symbol))
-    }
-
-    fn is_function(&self, name: &Name) -> bool {
-        let plain = Name {
-            primes: 0,
-            ..name.clone()
-        };
-        self.vocabulary.functions.iter().any(|(function, _)| *function == plain)
     }
 
     /// The state, without dots, and the number of dots of a name of a motion.
@@ -834,7 +814,7 @@ impl<'a> Builder<'a> {
         if !name.subscript.is_empty() {
             return None;
         }
-        for state in &self.vocabulary.states {
+        for state in self.symbols.states() {
             let mut dotted = state.clone();
             for more in 0..3 {
                 if dotted == bare {
@@ -893,7 +873,7 @@ impl<'a> Builder<'a> {
             }
             Tree::Quotient(above, below, at) => {
                 if let Some(by) = differentiated_by(below)
-                    && (self.vocabulary.running.as_ref() == Some(by) || is_letter(by, "t") || begins_with_d(above))
+                    && (self.symbols.running() == Some(by) || is_letter(by, "t") || begins_with_d(above))
                 {
                     let message = "this can be read as a derivative and as a quotient: write the derivative by its name, or `d` beside another factor";
                     return Err(unreadable(at.0, message));
@@ -950,7 +930,7 @@ impl<'a> Builder<'a> {
 
     fn real_power(&mut self, base: &Tree, exponent: &Tree, at: usize) -> Result<Term, Unreadable> {
         // what is written with symbols is no number, whatever it adds up to
-        let is_number = !crate::claim::any(exponent, &mut |tree| {
+        let is_number = !crate::tex::any(exponent, &mut |tree| {
             !matches!(
                 tree,
                 Tree::Number(_) | Tree::Sum(_) | Tree::Product(_) | Tree::Negate(_) | Tree::Quotient(..)
@@ -1023,8 +1003,8 @@ impl<'a> Builder<'a> {
         let may_stand = |inner: Term| match terms.node(inner) {
             Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => true,
             Node::Symbol(symbol) => self.statement.quantity(*symbol).is_some_and(|quantity| {
-                let is_index = matches!(quantity, Quantity::Parameter(name) if self.vocabulary.indices.contains(name));
-                is_index || self.is_listed(quantity, &self.vocabulary.integers) || self.is_assumed_integer(quantity)
+                let is_index = matches!(quantity, Quantity::Parameter(name) if self.symbols.is_index(name));
+                is_index || self.is_listed(quantity, &Meaning::Integer) || self.is_assumed_integer(quantity)
             }),
             _ => false,
         };
@@ -1039,30 +1019,31 @@ impl<'a> Builder<'a> {
 
     fn is_declared(&self, name: &Name) -> bool {
         self.scope.locals.iter().any(|local| local.name == *name)
-            || self.vocabulary.parameters.contains(name)
-            || self.vocabulary.abbreviations.iter().any(|(known, _)| known == name)
+            || self.symbols.is_parameter(name)
+            || self.symbols.abbreviation(name).is_some()
     }
 
     fn name(&mut self, name: &Name, at: usize) -> Result<Term, Unreadable> {
         if let Some(local) = self.scope.locals.iter().find(|local| local.name == *name) {
             return self.abbreviation(&local.name, &local.tree, self.scope.number, at);
         }
-        if self.vocabulary.parameters.contains(name) || self.vocabulary.indices.contains(name) {
+        if self.symbols.is_parameter(name) || self.symbols.is_index(name) {
             let symbol = self
                 .statement
                 .symbol_of(Quantity::Parameter(name.clone()), || name.to_string());
             return Ok(self.statement.terms.symbol(symbol));
         }
-        if let Some((name, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
+        if let Some(tree) = self.symbols.abbreviation(name) {
             return self.abbreviation(name, tree, 0, at);
         }
         if let Some(symbol) = self.quantity(name).or_else(|| self.absolute(name)) {
             return Ok(self.statement.terms.symbol(symbol));
         }
-        if self.vocabulary.running.as_ref() == Some(name) {
+        if self.symbols.running() == Some(name) {
             return self.running();
         }
-        if name.mark.is_empty() && (self.is_function(name) || (name.primes == 0 && self.motion(name).is_some())) {
+        if name.mark.is_empty() && (self.symbols.is_function(name) || (name.primes == 0 && self.motion(name).is_some()))
+        {
             let time = self.running()?;
             return self.value_of(name, u32::from(name.primes), time);
         }
@@ -1081,7 +1062,7 @@ impl<'a> Builder<'a> {
 
     /// The symbol of an abbreviation, defined by its tree.
     fn abbreviation(&mut self, name: &Name, tree: &'a Tree, scope: usize, at: usize) -> Result<Term, Unreadable> {
-        if let Some(&known) = self.symbols.get(&(name.clone(), scope)) {
+        if let Some(&known) = self.known.get(&(name.clone(), scope)) {
             let (conditions, real_only) = self.meant.get(&known).cloned().unwrap_or_default();
             self.brought.extend(conditions);
             self.real_only |= real_only;
@@ -1104,7 +1085,7 @@ impl<'a> Builder<'a> {
         let symbol = self.statement.symbol_of(quantity, || name.to_string());
         self.statement.definitions.insert(symbol, meaning);
         let term = self.statement.terms.symbol(symbol);
-        self.symbols.insert((name.clone(), scope), term);
+        self.known.insert((name.clone(), scope), term);
         self.meant.insert(term, needs);
         Ok(term)
     }
@@ -1115,29 +1096,28 @@ impl<'a> Builder<'a> {
         let unnumbered = name.subscript.is_empty() && matches!(name.mark.as_str(), "-" | "+");
         let index = match unnumbered {
             true => 0,
-            false => index_of(&name.subscript, &self.vocabulary.index)?,
+            false => index_of(&name.subscript, &self.symbols.index)?,
         };
-        let (bare, letter) = (name.bare(), self.vocabulary.index.clone());
+        let (bare, letter) = (name.bare(), self.symbols.index.clone());
         if name.primes > 0 {
             return None;
         }
-        if name.mark.is_empty() && self.vocabulary.times.contains(&bare) {
+        if name.mark.is_empty() && self.symbols.is_time(&bare) {
             return Some(self.statement.time(&bare, index, &letter));
         }
-        let is_state = self.vocabulary.states.contains(&bare) && matches!(name.mark.as_str(), "" | "-" | "+");
+        let is_state = self.symbols.is_state(&bare) && matches!(name.mark.as_str(), "" | "-" | "+");
         is_state.then(|| self.statement.state(&bare, index, name.mark == "+", &letter))
     }
 
     /// The symbol of a state at an index that is a number, where indices run.
     fn absolute(&mut self, name: &Name) -> Option<Symbol> {
         let runs = self
-            .vocabulary
-            .indices
-            .iter()
-            .any(|letter| is_letter(letter, &self.vocabulary.index));
+            .symbols
+            .indices()
+            .any(|letter| is_letter(letter, &self.symbols.index));
         let index: i32 = name.subscript.parse().ok()?;
         let state = name.bare();
-        let plain = name.primes == 0 && name.mark.is_empty() && self.vocabulary.states.contains(&state);
+        let plain = name.primes == 0 && name.mark.is_empty() && self.symbols.is_state(&state);
         (runs && plain).then(|| {
             self.statement
                 .symbol_of(Quantity::Absolute { state, index }, || name.to_string())
@@ -1145,7 +1125,7 @@ impl<'a> Builder<'a> {
     }
 
     fn call(&mut self, name: &Name, argument: &Tree, at: usize) -> Result<Term, Unreadable> {
-        if self.is_function(name) {
+        if self.symbols.is_function(name) {
             let time = self.tree(argument)?;
             return self.value_of(name, u32::from(name.primes), time);
         }
@@ -1164,9 +1144,9 @@ impl<'a> Builder<'a> {
     /// The value of a state at a time: at the time of an impact, the value there.
     fn motion_at(&mut self, name: &Name, dots: u32, argument: &Tree, at: usize) -> Result<Term, Unreadable> {
         if let Tree::Symbol(time, _) = argument
-            && self.vocabulary.times.contains(&time.bare())
-            && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
-            && self.vocabulary.states.contains(&name.bare())
+            && self.symbols.is_time(&time.bare())
+            && let Some(index) = index_of(&time.subscript, &self.symbols.index)
+            && self.symbols.is_state(&name.bare())
         {
             if name.primes > 0 || !matches!(name.mark.as_str(), "" | "+" | "-") {
                 let what = format!("`{name}({time})` is no state at an impact");
@@ -1176,12 +1156,12 @@ impl<'a> Builder<'a> {
                 ));
             }
             let at_departure = name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index;
-            if at_departure && !self.vocabulary.continuous.contains(&name.bare()) {
+            if at_departure && !self.symbols.is_continuous(&name.bare()) {
                 let what = format!("`{name}({time})` in a law of flight is the value before the impact or after it");
                 return Err(unreadable(at, format!("{what}: write the index, or a mark `+` or `-`")));
             }
             let departs = name.mark == "+" || at_departure;
-            let letter = self.vocabulary.index.clone();
+            let letter = self.symbols.index.clone();
             let symbol = self.statement.state(&name.bare(), index, departs, &letter);
             return Ok(self.statement.terms.symbol(symbol));
         }
@@ -1260,8 +1240,8 @@ impl<'a> Builder<'a> {
 
     /// Whether trace and determinant are symbols only: no derivative is written, and no premise speaks of a map.
     fn is_opaque(&self, statements: &Statements) -> bool {
-        let maps = &self.vocabulary.maps;
-        if maps.iter().any(|(_, map)| matches!(map, Map::Equations(_))) {
+        let maps = self.symbols.maps();
+        if maps.clone().any(|(_, map)| matches!(map, Map::Equations(_))) {
             return false;
         }
         let mut trees = statements
@@ -1269,27 +1249,27 @@ impl<'a> Builder<'a> {
             .iter()
             .chain(statements.premises.iter().map(|premise| &premise.equation));
         let writes =
-            |equation: &Equation| crate::claim::any_side(equation, &mut |node| matches!(node, Tree::Partial { .. }));
+            |equation: &Equation| crate::tex::any_side(equation, &mut |node| matches!(node, Tree::Partial { .. }));
         if trees.any(writes) {
             return false;
         }
-        let steps = maps.iter().filter_map(|(_, map)| match map {
+        let steps = maps.filter_map(|(_, map)| match map {
             Map::Premises { of, .. } => Some(of),
             _ => None,
         });
         let named: BTreeSet<i32> = steps
             .flatten()
             .filter_map(|tree| match tree {
-                Tree::Symbol(name, _) => index_of(&name.subscript, &self.vocabulary.index),
+                Tree::Symbol(name, _) => index_of(&name.subscript, &self.symbols.index),
                 _ => None,
             })
             .collect();
         !statements.premises.iter().any(|premise| {
-            self.vocabulary
+            self.symbols
                 .impacts(&premise.equation)
                 .iter()
                 .any(|index| named.contains(index))
-                || crate::claim::flies(&premise.equation, self.vocabulary)
+                || crate::tex::flies(&premise.equation, self.symbols)
         })
     }
 
@@ -1382,7 +1362,7 @@ impl<'a> Builder<'a> {
             return Ok(self.statement.terms.symbol(symbol));
         }
         let steps = self.map_steps()?;
-        let matrix = self.matrix(of, &steps, self.vocabulary.maps.len()).ok_or_else(|| {
+        let matrix = self.matrix(of, &steps, self.symbols.maps().count()).ok_or_else(|| {
             unreadable(
                 at,
                 format!("`{of}` is no known matrix, or one to which no premise leads"),
@@ -1413,7 +1393,7 @@ impl<'a> Builder<'a> {
             let row = |of: &Symbol| step.by.iter().map(|by| self.slope(*of, *by, step)).collect();
             return Some(step.of.iter().map(row).collect());
         }
-        let (_, map) = self.vocabulary.maps.iter().find(|(known, _)| known == name)?;
+        let map = self.symbols.map(name)?;
         let Map::Product(factors) = map else { return None };
         if left == 0 {
             return None;
@@ -1453,7 +1433,7 @@ impl<'a> Builder<'a> {
     /// The maps whose derivatives are symbols of their own: what they take to what.
     fn map_steps(&mut self) -> Result<Vec<(Name, Step)>, Unreadable> {
         let mut steps = self.implied.clone();
-        for (name, map) in &self.vocabulary.maps {
+        for (name, map) in self.symbols.maps() {
             let step = match map {
                 Map::Product(_) => continue,
                 Map::Premises { of, by } => Step {
@@ -1487,7 +1467,7 @@ impl<'a> Builder<'a> {
                 let found = match self.statement.quantity(symbol) {
                     Some(Quantity::Time { index, .. }) => (*index, 0),
                     Some(Quantity::State { state, index, .. }) => {
-                        let rank = self.vocabulary.states.iter().position(|known| known == state);
+                        let rank = self.symbols.states().position(|known| known == state);
                         (*index, rank.unwrap_or(0) + 1)
                     }
                     _ => continue,
@@ -1555,14 +1535,14 @@ impl<'a> Builder<'a> {
     /// Where no map is declared, a derivative of a quantity at one impact by one at the impact before is that of the map
     /// of the premises: from all times and states that these name at the one impact to all at the other.
     fn imply_maps(&mut self, statements: &Statements) {
-        let of_premises = |(_, map): &(Name, Map)| matches!(map, Map::Premises { .. });
-        if self.vocabulary.maps.iter().any(of_premises) || self.opaque {
+        let of_premises = |(_, map): (&Name, &Map)| matches!(map, Map::Premises { .. });
+        if self.symbols.maps().any(of_premises) || self.opaque {
             return;
         }
         let premises = statements.premises.iter().map(|premise| &premise.equation);
         let mut written: BTreeSet<(Name, Name)> = BTreeSet::new();
         for equation in statements.claims.iter().chain(premises) {
-            crate::claim::any_side(equation, &mut |node| {
+            crate::tex::any_side(equation, &mut |node| {
                 if let Tree::Partial { of, by, .. } = node {
                     written.insert((of.clone(), by.clone()));
                 }
@@ -1576,10 +1556,10 @@ impl<'a> Builder<'a> {
         };
         let premises = statements.premises.iter().map(|premise| &premise.equation);
         let said: Vec<&Equation> = premises.collect();
-        let has_explicit = !self.vocabulary.maps.is_empty();
+        let has_explicit = self.symbols.maps().next().is_some();
         for (of, by) in written {
             let names = |equation: &&Equation| {
-                crate::claim::any_side(
+                crate::tex::any_side(
                     equation,
                     &mut |node| matches!(node, Tree::Symbol(name, _) if *name == of),
                 )
@@ -1617,7 +1597,7 @@ impl<'a> Builder<'a> {
     /// Finds the equations that determine each map that is named, and takes those of explicit maps as given. Of two maps
     /// that lead to the same quantities the equations do not hold together: neither is given then.
     fn declare_maps(&mut self, statements: &Statements) -> Result<(), Unreadable> {
-        if (self.vocabulary.maps.is_empty() && self.implied.is_empty()) || self.opaque {
+        if (self.symbols.maps().next().is_none() && self.implied.is_empty()) || self.opaque {
             return Ok(());
         }
         let implied = self.implied.len();
@@ -1686,7 +1666,7 @@ impl<'a> Builder<'a> {
 /// The symbols that an equation writes.
 fn names_in(equation: &Equation) -> BTreeSet<Name> {
     let mut named = BTreeSet::new();
-    crate::claim::any_side(equation, &mut |node| {
+    crate::tex::any_side(equation, &mut |node| {
         if let Tree::Symbol(name, _) = node {
             named.insert(name.clone());
         }

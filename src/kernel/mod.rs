@@ -1,6 +1,6 @@
 //! The kernel: the statement of a claim, and the certificates and witnesses that decide it.
 //!
-//! Nothing else can make a [`Proved`] or a [`Refuted`]. Trusted are the reader of TeX, the vocabulary, this folder, and
+//! Nothing else can make a [`Proved`] or a [`Refuted`]. Trusted are the reader of TeX, the symbol table, this folder, and
 //! of `number/` the exact [`Rational`](crate::number::Rational) and the enclosures [`Interval`](crate::number::Interval)
 //! over [`Wide`](crate::number::Wide) with their `sqrt`, `sincos`, `acos`, `atan2`, `bounded_exp` and `bounded_ln`.
 //! Whatever searches for a certificate is not trusted.

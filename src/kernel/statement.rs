@@ -408,7 +408,7 @@ impl Statement {
             after,
         };
         let mut name = state.clone();
-        name.subscript = crate::claim::subscript_of(index, letter);
+        name.subscript = crate::tex::subscript_of(index, letter);
         name.mark = if after { "+".into() } else { String::new() };
         self.symbol_of(quantity, || name.to_string())
     }
@@ -420,7 +420,7 @@ impl Statement {
             index,
         };
         let mut name = family.clone();
-        name.subscript = crate::claim::subscript_of(index, letter);
+        name.subscript = crate::tex::subscript_of(index, letter);
         let symbol = self.symbol_of(quantity, || name.to_string());
         self.times.entry(index).or_insert(symbol);
         symbol

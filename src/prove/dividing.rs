@@ -1,10 +1,10 @@
 //! Divisions that authors do not mention.
 
 use super::{Outcome, outcome, proof};
-use crate::claim::{Goal, any, divisors};
+use crate::claim::{Goal, divisors};
 use crate::kernel;
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, DoubtKind, Equation, Relation, Tree};
+use crate::tex::{Condition, DoubtKind, Equation, Relation, Tree, any};
 
 /// Steps of the search for a proof that a claim follows after a division.
 const FEW_STEPS: u64 = 200_000;
@@ -21,7 +21,7 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
                 ..Equation::between(divisor.clone(), Tree::Number(Rational::from_integer(0)))
             })
         }));
-        let questions = kernel::questions(&within, &goal.vocabulary).ok()?;
+        let questions = kernel::questions(&within, &goal.symbols).ok()?;
         let is_same =
             |other: &kernel::Question| other.equation == question.equation && other.instance == question.instance;
         questions.into_iter().find(is_same).map(|question| question.statement)
@@ -33,7 +33,7 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
     };
     // a law holds at other times than that at which its divisor is not 0
     let runs = |divisor: &Tree| {
-        let time = goal.vocabulary.running.as_ref();
+        let time = goal.symbols.running();
         any(
             divisor,
             &mut |node| matches!(node, Tree::Symbol(name, _) if Some(name) == time),

@@ -1,19 +1,22 @@
 //! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
 
-use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
+use crate::claim::{Local, Statements};
 use crate::kernel::{Question, Symbol};
-use crate::tex::{Condition, Elementary, Equation, Invariant, Name, Relation, Tree};
+use crate::tex::{
+    Condition, Elementary, Equation, Invariant, Map, Name, Relation, Symbols, Tree, flies, index_of, pair_of,
+    subscript_of,
+};
 
 /// All formulas of a question.
 pub struct Formulas<'a> {
     statements: &'a Statements,
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     question: &'a Question,
 }
 
 /// What names mean within one formula.
 struct Within<'a> {
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     locals: &'a [Local],
     /// The impact whose flight the running time is in, and whether the formula speaks of a flight.
     flight: i32,
@@ -23,10 +26,10 @@ struct Within<'a> {
 }
 
 impl<'a> Formulas<'a> {
-    pub fn new(statements: &'a Statements, vocabulary: &'a Vocabulary, question: &'a Question) -> Self {
+    pub fn new(statements: &'a Statements, symbols: &'a Symbols, question: &'a Question) -> Self {
         Self {
             statements,
-            vocabulary,
+            symbols,
             question,
         }
     }
@@ -37,7 +40,7 @@ impl<'a> Formulas<'a> {
             .statements
             .claims
             .iter()
-            .map(|claim| self.vocabulary.impacts(claim).first().copied())
+            .map(|claim| self.symbols.impacts(claim).first().copied())
             .min()
             .flatten();
         let mut formulas = Vec::new();
@@ -70,11 +73,11 @@ impl<'a> Formulas<'a> {
         for condition in &self.statements.assume {
             push("the assumptions", &own, own.condition(condition));
         }
-        for relation in &self.vocabulary.relations {
+        for relation in &self.symbols.relations {
             push(&relation.to_string(), &own, own.relation(relation));
         }
         let running = quoted(&self.running());
-        for (name, derivative) in &self.vocabulary.functions {
+        for (name, derivative) in self.symbols.functions() {
             if let Some(tree) = derivative {
                 let within = Within { locals: &[], ..own };
                 let slope = format!("v.unknown({}, None, 1, v({running}))", quoted(&name.to_string()));
@@ -123,7 +126,7 @@ impl<'a> Formulas<'a> {
         for local in &self.statements.locals {
             push("beside the claim", &own, own.name(&local.name));
         }
-        let abbreviations = self.vocabulary.abbreviations.iter().map(|(name, tree)| {
+        let abbreviations = self.symbols.abbreviations().map(|(name, tree)| {
             let within = Within { locals: &[], ..own };
             format!(
                 "        {}: lambda v: {},",
@@ -143,22 +146,16 @@ impl<'a> Formulas<'a> {
 
     fn within<'b>(&'b self, equation: &Equation, locals: &'b [Local], first: Option<i32>) -> Within<'b> {
         Within {
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             locals,
-            flight: self
-                .vocabulary
-                .impacts(equation)
-                .first()
-                .copied()
-                .or(first)
-                .unwrap_or(0),
-            in_flight: flies(equation, self.vocabulary),
+            flight: self.symbols.impacts(equation).first().copied().or(first).unwrap_or(0),
+            in_flight: flies(equation, self.symbols),
             upper: true,
         }
     }
 
     fn running(&self) -> String {
-        let running = self.vocabulary.running.as_ref();
+        let running = self.symbols.running();
         running.map_or("t".to_string(), Name::to_string)
     }
 
@@ -186,7 +183,7 @@ impl<'a> Formulas<'a> {
             let (first, second) = (list(step.of.iter().map(name)), list(step.by.iter().map(name)));
             maps.push(entry(&step.name, first, second, self.images(&step.name)));
         }
-        for (map, meaning) in &self.vocabulary.maps {
+        for (map, meaning) in self.symbols.maps() {
             if let Map::Product(factors) = meaning {
                 let factors = factors.iter().map(|factor| quoted(&factor.to_string()));
                 maps.push(entry(&map.to_string(), list(factors), "[]".into(), String::new()));
@@ -197,8 +194,8 @@ impl<'a> Formulas<'a> {
 
     /// What the equations of a map say that its quantities are.
     fn images(&self, map: &str) -> String {
-        let of_map = |(name, map_of): &'_ (Name, Map)| (name.to_string() == map).then(|| map_of.clone());
-        let Some(Map::Equations(equations)) = self.vocabulary.maps.iter().find_map(of_map) else {
+        let of_map = |(name, map_of): (&Name, &Map)| (name.to_string() == map).then(|| map_of.clone());
+        let Some(Map::Equations(equations)) = self.symbols.maps().find_map(of_map) else {
             return String::new();
         };
         let image = |equation: &Equation| {
@@ -276,21 +273,21 @@ impl Within<'_> {
 
     fn is_declared(&self, name: &Name) -> bool {
         self.locals.iter().any(|local| local.name == *name)
-            || self.vocabulary.parameters.contains(name)
-            || self.vocabulary.abbreviations.iter().any(|(known, _)| known == name)
+            || self.symbols.is_parameter(name)
+            || self.symbols.abbreviation(name).is_some()
     }
 
     fn name(&self, name: &Name) -> String {
         let value = |printed: String| format!("v({})", quoted(&printed));
-        let vocabulary = self.vocabulary;
-        if self.is_declared(name) || vocabulary.indices.contains(name) {
+        let symbols = self.symbols;
+        if self.is_declared(name) || symbols.is_index(name) {
             return value(name.to_string());
         }
         if let Some(printed) = self.moving(name) {
             return value(printed);
         }
-        let running = vocabulary.running.as_ref().map_or("t".to_string(), Name::to_string);
-        if vocabulary.running.as_ref() == Some(name) {
+        let running = symbols.running().map_or("t".to_string(), Name::to_string);
+        if symbols.running() == Some(name) {
             return value(running);
         }
         if name.mark.is_empty()
@@ -308,18 +305,18 @@ impl Within<'_> {
 
     /// The name of an impact's time, or of a state just before or just after it, in the form in which data have it.
     fn moving(&self, name: &Name) -> Option<String> {
-        let letter = &self.vocabulary.index;
+        let letter = &self.symbols.index;
         let index = match name.subscript.is_empty() && !name.mark.is_empty() {
             true => 0,
             false => index_of(&name.subscript, letter)?,
         };
         let bare = name.bare();
-        let time = name.mark.is_empty() && self.vocabulary.times.contains(&bare);
-        let state = self.vocabulary.states.contains(&bare) && name.primes == 0;
+        let time = name.mark.is_empty() && self.symbols.is_time(&bare);
+        let state = self.symbols.is_state(&bare) && name.primes == 0;
         if !time && !state {
             return None;
         }
-        let after = name.mark == "+" && !self.vocabulary.continuous.contains(&bare);
+        let after = name.mark == "+" && !self.symbols.is_continuous(&bare);
         Some(indexed(bare, index, after, letter))
     }
 
@@ -331,7 +328,7 @@ impl Within<'_> {
             ..name.clone()
         };
         let primes = u32::from(name.primes);
-        for state in &self.vocabulary.states {
+        for state in self.symbols.states() {
             let mut dotted = state.clone();
             for more in 0..3 {
                 if dotted == plain {
@@ -342,20 +339,19 @@ impl Within<'_> {
                 dotted = dotted.dotted();
             }
         }
-        let is_function = self.vocabulary.functions.iter().any(|(function, _)| *function == plain);
+        let is_function = self.symbols.functions().any(|(function, _)| *function == plain);
         is_function.then(|| format!("v.unknown({}, None, {primes}, {at})", quoted(&plain.to_string())))
     }
 
     fn call(&self, name: &Name, argument: &Tree) -> String {
-        let states = &self.vocabulary.states;
         if let Tree::Symbol(time, _) = argument
-            && self.vocabulary.times.contains(&time.bare())
-            && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
-            && states.contains(&name.bare())
+            && self.symbols.is_time(&time.bare())
+            && let Some(index) = index_of(&time.subscript, &self.symbols.index)
+            && self.symbols.is_state(&name.bare())
         {
             let departs = name.mark == "+" || (name.mark.is_empty() && self.in_flight && self.flight == index);
-            let after = departs && !self.vocabulary.continuous.contains(&name.bare());
-            let printed = indexed(name.bare(), index, after, &self.vocabulary.index);
+            let after = departs && !self.symbols.is_continuous(&name.bare());
+            let printed = indexed(name.bare(), index, after, &self.symbols.index);
             return format!("v({})", quoted(&printed));
         }
         let at = self.python(argument);

@@ -27,11 +27,9 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
-use crate::claim::{
-    Goal, Reduced, Sheet, Verdict, any_side, other_ways, reduced, reduced_by_cases, thin_domains, values,
-};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values};
 use crate::kernel;
-use crate::tex::{DoubtKind, Equation, Name, Tree};
+use crate::tex::{DoubtKind, Equation, Name, Tree, any_side};
 
 /// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
 fn negative_power(equation: &Equation) -> Option<Tree> {
@@ -144,7 +142,7 @@ impl<'a> Search<'a> {
         let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
         let further = match (decision.verdict, goals.sufficient.as_slice()) {
             (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
-                reduced_by_cases(&goal.statements, &goal.vocabulary)
+                reduced_by_cases(&goal.statements, &goal.symbols)
             }
             _ => None,
         };
@@ -296,7 +294,7 @@ impl<'a> Search<'a> {
             return decision;
         }
         self.forget(known);
-        let claims = other_ways(&goal.statements, &goal.vocabulary);
+        let claims = other_ways(&goal.statements, &goal.symbols);
         let mut shown = Vec::new();
         for ways in &claims {
             match ways.iter().find_map(|way| self.holding(way)) {
@@ -334,7 +332,7 @@ impl<'a> Search<'a> {
     /// Decides one goal of a claim.
     fn settled(&mut self, goal: &Goal) -> Decision {
         let mut decision = self.start.clone();
-        let questions = match crate::kernel::questions(&goal.statements, &goal.vocabulary) {
+        let questions = match crate::kernel::questions(&goal.statements, &goal.symbols) {
             Ok(questions) => questions,
             Err(fault) => {
                 decision.verdict = Verdict::Unread;
@@ -427,12 +425,12 @@ impl<'a> Search<'a> {
 /// The goals that a claim comes to; itself, where it is about numbers.
 fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
     let statements = Decision::without_search(sheet, position)?;
-    match reduced(&statements, &sheet.vocabulary) {
+    match reduced(&statements, &sheet.symbols) {
         Ok(Some(reduced)) => Ok(reduced),
         Ok(None) => {
             let goal = Goal {
                 statements,
-                vocabulary: sheet.vocabulary.clone(),
+                symbols: sheet.symbols.clone(),
                 part: String::new(),
             };
             Ok(Reduced::itself(goal))
@@ -624,7 +622,7 @@ pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::
     let Ok(goals) = goals(sheet, position) else {
         return Vec::new();
     };
-    let of = |goal: &Goal| kernel::questions(&goal.statements, &goal.vocabulary).unwrap_or_default();
+    let of = |goal: &Goal| kernel::questions(&goal.statements, &goal.symbols).unwrap_or_default();
     let questions = goals.lemmas.iter().chain(&goals.sufficient).flat_map(of);
     questions
         .filter_map(|question| proof::search(&question.statement, PROOF_STEPS))

@@ -84,7 +84,7 @@ pub fn file_names(sheet: &Sheet, positions: &[usize]) -> Vec<String> {
 impl Decided {
     /// The script that checks this.
     pub fn script(&self) -> String {
-        let formulas = Formulas::new(&self.goal.statements, &self.goal.vocabulary, &self.question);
+        let formulas = Formulas::new(&self.goal.statements, &self.goal.symbols, &self.question);
         let verdict = match self.found {
             Found::Proved { .. } => "proved",
             Found::Refuted { .. } => "refuted",

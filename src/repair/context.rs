@@ -1,8 +1,8 @@
 //! What else stands in the sheet: the names and terms that a repair may put in.
 
 use super::path::{parts, walk};
-use crate::claim::{Entry, Sheet, index_of, subscript_of, with_symbol};
-use crate::tex::{At, Equation, Name, Operation, Tree};
+use crate::claim::{Entry, Sheet};
+use crate::tex::{At, Equation, Name, Operation, Tree, index_of, subscript_of, with_symbol};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Entries on either side of the claim whose names are looked at beside those of its premises.
@@ -46,11 +46,9 @@ const PARTNERS: [(&str, &str); 2] = [(r"\sin", r"\cos"), (r"\sinh", r"\cosh")];
 impl Context {
     pub fn new(sheet: &Sheet, position: usize) -> Self {
         let mut context = Self::default();
-        let letter = &sheet.vocabulary.index;
+        let letter = &sheet.symbols.index;
         context.letters.extend((!letter.is_empty()).then(|| letter.clone()));
-        context
-            .letters
-            .extend(sheet.vocabulary.indices.iter().map(Name::to_string));
+        context.letters.extend(sheet.symbols.indices().map(Name::to_string));
         let Some(entry) = sheet.entries.get(position) else {
             return context;
         };
@@ -73,7 +71,7 @@ impl Context {
         }
         context.take_values(sheet);
         context.take_partners(sheet);
-        for (map, _) in &sheet.vocabulary.maps {
+        for (map, _) in sheet.symbols.maps() {
             if !context.maps.contains(map) {
                 context.maps.push(map.clone());
             }
@@ -83,7 +81,7 @@ impl Context {
 
     /// Takes in the values of each function of time, and of its derivatives, at each time at which one of these is met.
     fn take_values(&mut self, sheet: &Sheet) {
-        let functions: Vec<&Name> = sheet.vocabulary.functions.iter().map(|(name, _)| name).collect();
+        let functions: Vec<&Name> = sheet.symbols.functions().map(|(name, _)| name).collect();
         let calls = self.atoms.iter().filter_map(|atom| match atom {
             Tree::Call(name, argument, _) if functions.contains(&name) => Some((name.clone(), (**argument).clone())),
             _ => None,
@@ -100,7 +98,7 @@ impl Context {
             }
         }
         // what an elementary function of the time is then
-        let Some(running) = &sheet.vocabulary.running else {
+        let Some(running) = sheet.symbols.running() else {
             return;
         };
         for atom in self.atoms.clone() {
@@ -139,7 +137,7 @@ impl Context {
                     let mut accents = name.accents.clone();
                     accents.pop();
                     let plain = Name { accents, ..name };
-                    if sheet.vocabulary.functions.iter().any(|(known, _)| *known == plain) {
+                    if sheet.symbols.functions().any(|(known, _)| *known == plain) {
                         self.take_atom(Tree::Symbol(plain.dotted(), at));
                         self.take_atom(Tree::Symbol(plain, at));
                     }

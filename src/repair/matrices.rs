@@ -5,9 +5,8 @@ use super::context::Context;
 use super::edit::{self, missing_factor, product};
 use super::graph::{Graph, Node};
 use super::path::{size, walk};
-use crate::claim::with_symbol;
 use crate::evidence::sampled::{Leaves, Value};
-use crate::tex::{Name, Tree};
+use crate::tex::{Name, Tree, with_symbol};
 use std::collections::HashMap;
 
 /// The most matrices that are put in, and the most nodes of one.

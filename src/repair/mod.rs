@@ -21,9 +21,9 @@ mod search;
 pub use path::{Path, node, parts, replaced};
 pub use printed::{Reprinted, reprinted};
 
-use crate::claim::{Entry, Sheet, any};
+use crate::claim::{Entry, Sheet};
 use crate::prove::Options;
-use crate::tex::{Equation, Tree};
+use crate::tex::{Equation, Tree, any};
 use monomial::is_same_product;
 use printed::proved_as_printed;
 use search::{Formula, Found, Search};

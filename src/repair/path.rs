@@ -2,7 +2,7 @@
 
 use crate::tex::{Equation, Tree};
 
-pub use crate::claim::parts;
+pub use crate::tex::parts;
 
 /// The way from an equation to a node: 0 for the left side or 1 for the right, then the position among the parts of each
 /// node.

@@ -1,10 +1,10 @@
 //! Points at which the premises of a claim hold, with or without operations in it.
 
-use crate::claim::{Statements, Vocabulary, any, any_side, pair_of, tree_runs};
+use crate::claim::Statements;
 use crate::evidence::sampled::{Leaves, Number, asked, real, take_leaves, take_standing};
 use crate::evidence::samples;
 use crate::number::Sequence;
-use crate::tex::{At, Equation, Name, Operation, Tree};
+use crate::tex::{At, Equation, Name, Operation, Symbols, Tree, any, any_side, pair_of, tree_runs};
 use std::collections::{HashMap, HashSet};
 
 /// What the power is of that an `O` leaves out, at the points at which a claim with it is looked at.
@@ -13,7 +13,7 @@ const LEFT_OUT: f64 = 1e-8;
 /// A claim whose formulas are to be evaluated.
 pub struct Asked<'a> {
     pub statements: &'a Statements,
-    pub vocabulary: &'a Vocabulary,
+    pub symbols: &'a Symbols,
     /// What is to hold.
     pub equations: &'a [Equation],
     pub definitions: &'a HashMap<Name, Tree>,
@@ -36,9 +36,9 @@ impl Asked<'_> {
         for tree in trees {
             take_leaves(tree, &defined, &mut leaves);
         }
-        let runs = |leaf: &Tree| tree_runs(leaf, self.vocabulary);
+        let runs = |leaf: &Tree| tree_runs(leaf, self.symbols);
         for tree in sides().chain(self.definitions.values()) {
-            take_standing(tree, self.vocabulary.running.as_ref(), &runs, &mut leaves);
+            take_standing(tree, self.symbols.running(), &runs, &mut leaves);
         }
         // in the order in which they stand: which points are drawn is the same in each run
         let mut met = HashSet::new();
@@ -81,7 +81,7 @@ impl Asked<'_> {
 
     fn sample(&self, statements: &Statements, leaves: &[Tree], within: &[Tree], points: usize) -> Option<Leaves> {
         let plain: Vec<Tree> = leaves.iter().map(asked).collect();
-        let drawn = samples(statements, self.vocabulary, &plain, within, points)?;
+        let drawn = samples(statements, self.symbols, &plain, within, points)?;
         let is_complex = drawn.is_complex || self.speaks_of_complex();
         let points = drawn.values.first().map_or(0, Vec::len);
         let number = |[re, im]: [f64; 2]| Number::new(re, im);
@@ -91,14 +91,14 @@ impl Asked<'_> {
             .collect();
         for (leaf, values) in &mut values {
             let is_unit = matches!(leaf, Tree::Symbol(name, _) if name.to_string() == "i");
-            if is_unit && is_complex && !self.vocabulary.parameters.iter().any(|name| name.to_string() == "i") {
+            if is_unit && is_complex && !self.symbols.parameters().any(|name| name.to_string() == "i") {
                 values.fill(Number::new(0.0, 1.0));
             }
         }
         self.make_small(&mut values)?;
         let mut drawn = Leaves::new(values, points, is_complex);
-        drawn.running.clone_from(&self.vocabulary.running);
-        let moving = leaves.iter().filter(|leaf| tree_runs(leaf, self.vocabulary));
+        drawn.running = self.symbols.running().cloned();
+        let moving = leaves.iter().filter(|leaf| tree_runs(leaf, self.symbols));
         drawn.moving = moving.cloned().collect();
         let signed = |equation: &&Equation| {
             let mut is_sign = |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_));
@@ -118,7 +118,7 @@ impl Asked<'_> {
             .iter()
             .flat_map(|equation| [&equation.left, &equation.right]);
         let mut all = sides.chain(self.definitions.values());
-        all.any(|tree| any(tree, &mut |node| self.vocabulary.may_be_complex(node)))
+        all.any(|tree| any(tree, &mut |node| self.symbols.may_be_complex(node)))
     }
 
     /// Where an `O` stands in the claim, gives its letter values so small that what it leaves out is rounding. Nothing where

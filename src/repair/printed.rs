@@ -4,9 +4,9 @@
 use super::monomial::{is_number, is_same_product};
 use super::search::names_in;
 use super::{Part, speaks};
-use crate::claim::{Entry, Sheet, Verdict, any};
+use crate::claim::{Entry, Sheet, Verdict};
 use crate::prove::{self, Options};
-use crate::tex::{Condition, Equation, Tree};
+use crate::tex::{Condition, Equation, Tree, any};
 
 /// Formulas with changes put into their TeX, and the sheet that is read with them.
 pub struct Reprinted {
@@ -247,14 +247,13 @@ fn cancelling(tree: &Tree) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claim::Vocabulary;
-    use crate::tex::{Names, read};
+    use crate::tex::{Names, Symbols, read};
 
     fn sheet(tex: &str) -> Sheet {
         let text = format!(
             "[symbols]\nparameters = ['x', 'y']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '''{tex}'''\n"
         );
-        Sheet::read(&text, &Vocabulary::default()).expect("a sheet")
+        Sheet::read(&text, &Symbols::default()).expect("a sheet")
     }
 
     fn shown_with(tex: &str, n: usize, new: &str) -> Option<String> {

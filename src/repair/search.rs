@@ -10,10 +10,10 @@ use super::matrices;
 use super::path::{Path, node, replaced, size, walk};
 use super::points;
 use super::{Edit, Part, Repair, put};
-use crate::claim::{Sheet, Statements, Verdict, Vocabulary, any_side};
+use crate::claim::{Sheet, Statements, Verdict};
 use crate::evidence::sampled::{Leaves, Number, SizedValue, Value, agree};
 use crate::evidence::witness;
-use crate::tex::{At, Equation, Name, Relation, Tree};
+use crate::tex::{At, Equation, Name, Relation, Symbols, Tree, any_side};
 use std::collections::{HashMap, HashSet};
 
 /// What is looked for, the likelier first: the next where nothing before it is found and proved.
@@ -210,7 +210,7 @@ impl<'a> Search<'a> {
         let additions = additions(&formulas, &context);
         let bench = Bench::new(
             &statements,
-            &sheet.vocabulary,
+            &sheet.symbols,
             &formulas,
             &context,
             &candidates,
@@ -666,7 +666,7 @@ impl Bench {
     /// The claim at points; nothing where it is no set of equations between values there.
     fn new(
         statements: &Statements,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         formulas: &[Formula],
         context: &Context,
         candidates: &[Candidate],
@@ -698,7 +698,7 @@ impl Bench {
         trees.extend(&within);
         let asked = points::Asked {
             statements,
-            vocabulary,
+            symbols,
             equations: &equations,
             definitions: &definitions,
         };

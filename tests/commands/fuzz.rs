@@ -7,10 +7,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use vibro_audit::accuracy::problems::{Certified as Problem, all};
 use vibro_audit::accuracy::score::Answers;
-use vibro_audit::claim::{EQUATIONS, SYMBOLS, Sheet, Vocabulary, read_symbols};
+use vibro_audit::claim::{EQUATIONS, SYMBOLS, Sheet, read_symbols};
 use vibro_audit::reference::{Certified, Printed};
 use vibro_audit::scene::Scene;
-use vibro_audit::tex::{Names, read, read_conditions};
+use vibro_audit::tex::{Names, Symbols, read, read_conditions};
 
 /// What is put in: what parsers look at, and what they do not expect.
 const PIECES: [&str; 60] = [
@@ -168,7 +168,7 @@ impl Texts {
     /// Reads one of them, changed; what comes out is of no account.
     fn read(&self, random: &mut Random, known: &Known) {
         match random.below(20) {
-            0 => drop(Sheet::read(&random.changed(&self.sheets), &known.vocabulary)),
+            0 => drop(Sheet::read(&random.changed(&self.sheets), &known.symbols)),
             1 => drop(read_symbols(&random.changed(&self.sheets))),
             2 => drop(Scene::read(&random.changed(&self.scenes), "x")),
             3 => drop(Printed::read("x", &random.changed(&self.printed))),
@@ -182,18 +182,18 @@ impl Texts {
 
 /// What parsers are told.
 struct Known {
-    vocabulary: Vocabulary,
+    symbols: Symbols,
     names: Names,
     problems: Vec<Problem>,
 }
 
 impl Known {
     fn new() -> Self {
-        let vocabulary = read_symbols(SYMBOLS).unwrap();
+        let symbols = read_symbols(SYMBOLS).unwrap();
         Self {
-            names: vocabulary.names.clone(),
+            names: symbols.names.clone(),
             problems: all(|problem| problem.name == "orbit-focus").unwrap(),
-            vocabulary,
+            symbols,
         }
     }
 }

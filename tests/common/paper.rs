@@ -1,13 +1,13 @@
 //! The claims of the paper that are true, as printed or mended, and sheets made of them.
 
-use vibro_audit::claim::{Fault, Role, Sheet, Vocabulary, read_symbols};
+use vibro_audit::claim::{Fault, Role, Sheet, read_symbols};
 use vibro_audit::prove::{self, Decision, Options};
-use vibro_audit::tex::{Equation, read};
+use vibro_audit::tex::{Equation, Symbols, read};
 
 pub const PAPER: &str = include_str!("../../golden/paper/equations.toml");
 pub const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
 
-pub fn vocabulary() -> Vocabulary {
+pub fn vocabulary() -> Symbols {
     read_symbols(SYMBOLS).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
@@ -25,18 +25,18 @@ pub struct Claim {
 /// A sheet that holds the premises of the paper's claim `label`, and other claims in its place: TeX and definitions.
 pub struct Bench {
     pub paper: Sheet,
-    pub vocabulary: Vocabulary,
+    pub symbols: Symbols,
 }
 
 impl Bench {
     pub fn new() -> Self {
-        let vocabulary = vocabulary();
-        let paper = Sheet::read(PAPER, &vocabulary).unwrap_or_else(|fault| panic!("{fault}"));
-        Self { paper, vocabulary }
+        let symbols = vocabulary();
+        let paper = Sheet::read(PAPER, &symbols).unwrap_or_else(|fault| panic!("{fault}"));
+        Self { paper, symbols }
     }
 
     pub fn read(&self, tex: &str) -> Vec<Equation> {
-        read(tex, &self.vocabulary.names).unwrap_or_else(|error| panic!("{tex}\n{error}"))
+        read(tex, &self.symbols.names).unwrap_or_else(|error| panic!("{tex}\n{error}"))
     }
 
     /// What is printed under a label.
@@ -116,7 +116,7 @@ impl Bench {
 
     /// The decision on the last claim of a sheet.
     pub fn decide(&self, text: &str) -> Result<Decision, Fault> {
-        let sheet = Sheet::read(text, &self.vocabulary)?;
+        let sheet = Sheet::read(text, &self.symbols)?;
         let last = sheet
             .entries
             .iter()

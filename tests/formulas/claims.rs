@@ -74,7 +74,7 @@ fn a_claim_that_rests_on_a_refuted_one() {
         )
         + &entry("4", "claim", "T_2 = T_1 - d", "follows_from = [\"2\"]");
     let bench = Bench::new();
-    let sheet = vibro_audit::claim::Sheet::read(&text, &bench.vocabulary).unwrap();
+    let sheet = vibro_audit::claim::Sheet::read(&text, &bench.symbols).unwrap();
     let decisions = vibro_audit::prove::audit(&sheet, &vibro_audit::prove::Options::default());
     let shown: Vec<(String, String)> = decisions
         .iter()

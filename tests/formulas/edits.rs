@@ -98,7 +98,7 @@ fn slips(bench: &Bench, claim: &Claim) -> Vec<Case> {
                 continue;
             }
             let tex = format!("{}{to}{}", &claim.tex[..at], &claim.tex[at + from.len()..]);
-            let Ok(edited) = vibro_audit::tex::read(&tex, &bench.vocabulary.names) else {
+            let Ok(edited) = vibro_audit::tex::read(&tex, &bench.symbols.names) else {
                 continue;
             };
             let n = edited

@@ -12,8 +12,8 @@ const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
 const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
 
 fn read(text: &str) -> Sheet {
-    let vocabulary = read_symbols(SYMBOLS).unwrap();
-    Sheet::read(text, &vocabulary).unwrap()
+    let symbols = read_symbols(SYMBOLS).unwrap();
+    Sheet::read(text, &symbols).unwrap()
 }
 
 fn claims(sheet: &Sheet) -> Vec<usize> {

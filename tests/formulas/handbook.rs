@@ -4,8 +4,9 @@
 use crate::common::sample;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use vibro_audit::claim::{Sheet, Verdict, Vocabulary};
+use vibro_audit::claim::{Sheet, Verdict};
 use vibro_audit::prove::{self, Options};
+use vibro_audit::tex::Symbols;
 
 /// Formulas that are decided rightly, at least: the first run decided 117.
 const RIGHT: usize = 361;
@@ -104,7 +105,7 @@ impl Formula {
 
     /// The verdict, and the reason of it.
     fn decided(&self) -> (Verdict, String) {
-        let sheet = match Sheet::read(&self.sheet(), &Vocabulary::default()) {
+        let sheet = match Sheet::read(&self.sheet(), &Symbols::default()) {
             Ok(sheet) => sheet,
             Err(fault) => return (Verdict::Unread, fault.to_string()),
         };
@@ -193,7 +194,7 @@ fn each_example_of_the_guide_is_decided_as_it_says() {
             list(assume),
             list((0..given.len()).map(|number| format!("p{number}"))),
         );
-        let sheet = Sheet::read(&sheet, &Vocabulary::default()).unwrap_or_else(|fault| panic!("{tex}: {fault}"));
+        let sheet = Sheet::read(&sheet, &Symbols::default()).unwrap_or_else(|fault| panic!("{tex}: {fault}"));
         let decision = prove::decide(&sheet, given.len(), &Options::default());
         assert_eq!(decision.verdict, wanted, "{tex}: {}", decision.reason);
         count += 1;

@@ -3,8 +3,9 @@
 
 use crate::common::sample;
 use std::collections::BTreeSet;
-use vibro_audit::claim::{Document, Markup, Verdict, Vocabulary};
+use vibro_audit::claim::{Document, Markup, Verdict};
 use vibro_audit::prove::{self, Decision, Options};
+use vibro_audit::tex::Symbols;
 
 /// Name, as it is right, with ten misprints.
 const PAPERS: [[&str; 3]; 3] = [
@@ -31,7 +32,7 @@ const LEAST: [[usize; 2]; 2] = [[28, 157], [8, 46]];
 
 fn decisions(text: &str) -> Vec<Decision> {
     let document = Document::read(text, Markup::Tex, &mut |_| Err("nothing is included".to_owned()));
-    let sheet = document.sheet(&Vocabulary::default()).unwrap();
+    let sheet = document.sheet(&Symbols::default()).unwrap();
     prove::audit(&sheet, &Options::default())
 }
 

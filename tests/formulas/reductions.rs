@@ -7,14 +7,14 @@ use vibro_audit::tex::DoubtKind;
 
 /// The goals of a claim, with the rules that name how they came of it.
 fn all_reductions(read: &Statements, sheet: &Sheet) -> Vec<Reduced> {
-    let of_operations = reduced(read, &sheet.vocabulary).ok().flatten();
+    let of_operations = reduced(read, &sheet.symbols).ok().flatten();
     let statements = match &of_operations {
         Some(Reduced { sufficient, .. }) => sufficient.iter().map(|goal| &goal.statements).collect(),
         None => vec![read],
     };
     let by_cases = statements
         .iter()
-        .filter_map(|own| reduced_by_cases(own, &sheet.vocabulary));
+        .filter_map(|own| reduced_by_cases(own, &sheet.symbols));
     by_cases
         .collect::<Vec<_>>()
         .into_iter()
@@ -64,7 +64,7 @@ fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
                 }
             }
             // of an inequality or a root, one goal of each way at least
-            for way in other_ways(&read, &sheet.vocabulary).into_iter().flatten() {
+            for way in other_ways(&read, &sheet.symbols).into_iter().flatten() {
                 let is_read = way.iter().all(|goal| goal.statements.claims == read.claims);
                 let is_one_claim = way.len() == 1 && read.claims.contains(&way[0].statements.claims[0]);
                 let has_rule = way.iter().any(|goal| !goal.statements.rules.is_empty());

@@ -8,11 +8,11 @@ use paper::{Bench, PAPER, display, vocabulary};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
-use vibro_audit::claim::{Document, Entry, Markup, Sheet, Verdict, Vocabulary};
+use vibro_audit::claim::{Document, Entry, Markup, Sheet, Verdict};
 use vibro_audit::evidence::witness;
 use vibro_audit::prove::{self, Options};
 use vibro_audit::repair::{Part, Repair, parts, repairs, reprinted};
-use vibro_audit::tex::{Equation, Tree};
+use vibro_audit::tex::{Equation, Symbols, Tree};
 
 /// A sheet, and one of its formulas as it stands there and misprinted.
 struct Misprint {
@@ -89,7 +89,7 @@ fn of_the_paper() -> Vec<Misprint> {
         };
         for equations in alone {
             let text = bench.sheet(claim.label, &display(&equations), &claim.local);
-            let sheet = Arc::new(Sheet::read(&text, &bench.vocabulary).unwrap());
+            let sheet = Arc::new(Sheet::read(&text, &bench.symbols).unwrap());
             let position = sheet.find("claim").unwrap();
             misprints_of(&format!("paper ({})", claim.label), &sheet, position, &mut all);
         }
@@ -101,7 +101,7 @@ fn of_the_paper() -> Vec<Misprint> {
 fn of_others() -> Vec<Misprint> {
     let document = |text: &str| {
         let document = Document::read(text, Markup::Tex, &mut |_| Err("nothing is included".to_owned()));
-        document.sheet(&Vocabulary::default()).unwrap()
+        document.sheet(&Symbols::default()).unwrap()
     };
     let oscillator = include_str!("../../golden/oscillator/equations.toml");
     let sheets = [

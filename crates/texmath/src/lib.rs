@@ -45,6 +45,7 @@ mod bracket;
 mod call;
 mod command;
 mod conditions;
+mod declared;
 mod difference;
 mod display;
 mod doubt;
@@ -58,6 +59,7 @@ mod lexer;
 mod mathml;
 mod names;
 mod nearest;
+mod nodes;
 mod operation;
 mod part;
 mod place;
@@ -68,12 +70,15 @@ mod script;
 mod spelled;
 mod statement;
 mod subscript;
+mod substitute;
 mod symbol;
+mod symbols;
 mod token;
 mod tree;
 
 pub use command::with_commands;
 pub use conditions::read_conditions;
+pub use declared::{Undeclared, Unknown};
 pub use difference::{difference, difference_of};
 pub use display::functions_given;
 pub use display::{Display, read, read_display, read_expression, read_name};
@@ -85,6 +90,12 @@ pub use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::Names;
 pub use nearest::nearest;
+pub use nodes::{any, any_side, holds, holds_indefinite, names_in, nodes_of, parts, speaks_of, with_part, with_symbol};
 pub use place::{Lines, Place};
 pub use statement::LONGEST;
+pub use substitute::{
+    flies, mapped, number_of, put_in, put_in_throughout, rewrite, rewrite_alone, rewrite_condition, rewrite_equation,
+    runs, tree_runs,
+};
+pub use symbols::{Map, Meaning, Symbols, base_alone, index_of, is_constant, pair_of, subscript_of};
 pub use tree::{At, Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};

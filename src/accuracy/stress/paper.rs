@@ -41,7 +41,7 @@ impl Paper {
             let text = text.ok_or_else(|| fault(format!("no `{misprint}` to mend")))?;
             *text = text.replace(misprint, mend);
         }
-        let read = |text: &String| read(text, &sheet.vocabulary.names).map_err(|error| fault(error.to_string()));
+        let read = |text: &String| read(text, &sheet.symbols.names).map_err(|error| fault(error.to_string()));
         let equations = texts.pop().map_or(Ok(Vec::new()), |text| read(&text))?;
         let local: Result<Vec<_>, _> = texts.iter().map(read).collect();
         let local = local?.into_iter().flatten().collect();

@@ -1,7 +1,7 @@
 //! What an author says of a formula in a comment that does not print.
 
 use super::super::entry::Role;
-use super::super::symbols::{MapEntry, Pairs, Symbols};
+use super::super::symbols::{MapEntry, Pairs, RawSymbols};
 use super::super::verdict::Verdict;
 use crate::tex::nearest;
 
@@ -20,7 +20,7 @@ pub(super) enum Key {
     /// What formulas are that say nothing of themselves; `None` to skip them.
     Default(Option<Role>),
     /// The symbols of the document; `None` for those of the impact pair.
-    Symbols(Option<Box<Symbols>>),
+    Symbols(Option<Box<RawSymbols>>),
     /// A printed number: its quantity, its scene, and what the scene is set to.
     Value {
         quantity: String,
@@ -228,8 +228,8 @@ const KINDS: [&str; 18] = [
 ];
 
 /// The symbols that parts such as `positive T_1, T_2` or `functions F' = f` declare.
-fn symbols(parts: &[&str]) -> Result<Symbols, String> {
-    let mut symbols = Symbols::default();
+fn symbols(parts: &[&str]) -> Result<RawSymbols, String> {
+    let mut symbols = RawSymbols::default();
     for part in parts {
         let (kind, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));
         let names: Vec<String> = parted(rest, ',')
@@ -300,7 +300,7 @@ fn symbols(parts: &[&str]) -> Result<Symbols, String> {
 }
 
 /// What all the comments on symbols declare together, with what goes without saying.
-pub(super) fn completed(mut symbols: Symbols) -> Result<Symbols, String> {
+pub(super) fn completed(mut symbols: RawSymbols) -> Result<RawSymbols, String> {
     // functions are of time, where nothing else is said to run
     let functions = symbols.functions.pairs().map_err(|fault| fault.message)?;
     if !functions.is_empty() && symbols.times.is_empty() && !symbols.parameters.iter().any(|name| name == "t") {

@@ -2,7 +2,7 @@
 
 use super::super::entry::RawEntry;
 use super::super::sheet::RawSheet;
-use super::super::symbols::{MapEntry, Pairs, Symbols};
+use super::super::symbols::{MapEntry, Pairs, RawSymbols};
 use super::super::verdict::Verdict;
 use std::fmt::Write;
 use toml::Spanned;
@@ -80,7 +80,7 @@ fn formula(tex: &str) -> String {
     }
 }
 
-fn of_symbols(symbols: &Symbols) -> String {
+fn of_symbols(symbols: &RawSymbols) -> String {
     let mut text = "\n[symbols]\n".to_owned();
     let lists = [
         ("parameters", &symbols.parameters),

@@ -1,8 +1,6 @@
 //! Letters before a bracket, `M(L/2)^2`: which are factors, and which may have an argument.
 
-use super::super::definition::is_constant;
-use super::super::nodes::{any_side, names_in};
-use crate::tex::{DoubtKind, Equation, Name, Tree};
+use crate::tex::{DoubtKind, Equation, Name, Tree, any_side, is_constant, names_in};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// The letters by which the equations of a document give those that stand before brackets.

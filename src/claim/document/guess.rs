@@ -1,20 +1,18 @@
 //! What formulas are of which nobody says it: what stands for a symbol, a definition, a law, a claim.
 
-use super::super::definition::{is_constant, pair_of};
+use super::super::check::check;
 use super::super::entry::{Entry, RawEntry, Role};
 use super::super::fault::{Fault, Text};
 use super::super::implication;
-use super::super::nodes::{any, any_side, names_in};
 use super::super::sheet::{RawSheet, Sheet};
-use super::super::symbols::{Pairs, Symbols};
-use super::super::vocabulary::Vocabulary;
+use super::super::symbols::{Pairs, RawSymbols};
 use super::factors::Factors;
 use super::marks::{Marks, Stated};
 use super::members::Members;
 use super::scan::Formula;
 use crate::tex::{
-    Display, Elementary, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name,
-    with_commands,
+    Display, Elementary, Equation, Name, Names, Operation, ReadError, Relation, Symbols, Tree, any, any_side,
+    is_constant, names_in, pair_of, read_display, read_name, with_commands,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -56,7 +54,7 @@ pub(super) struct Guess {
     /// True if it uses no others.
     is_strict: bool,
     /// What the document declares itself.
-    vocabulary: Vocabulary,
+    symbols: Symbols,
     /// The number of each formula, by its label.
     numbers: HashMap<String, usize>,
     /// The names met so far.
@@ -243,15 +241,15 @@ const TIME: &str = "t";
 const MOST_TOLD: usize = 6;
 
 impl Guess {
-    /// `symbols` are those that the document declares, `of_the_pair` whether they are those of the impact pair.
-    pub fn new(formulas: &[Formula], symbols: Option<&Symbols>, of_the_pair: bool, members: &Members) -> Self {
-        let vocabulary = match symbols {
+    /// `declared` are the symbols that the document declares, `of_the_pair` whether they are those of the impact pair.
+    pub fn new(formulas: &[Formula], declared: Option<&RawSymbols>, of_the_pair: bool, members: &Members) -> Self {
+        let has_symbols = declared.is_some() || of_the_pair;
+        let is_strict = of_the_pair || declared.is_some_and(|declared| declared.only);
+        let symbols = match declared {
             _ if of_the_pair => super::super::vocabulary().unwrap_or_default(),
-            Some(symbols) => Vocabulary::read(symbols).unwrap_or_default(),
-            None => Vocabulary::default(),
+            Some(declared) => declared.read().unwrap_or_default(),
+            None => Symbols::default(),
         };
-        let has_symbols = symbols.is_some() || of_the_pair;
-        let is_strict = of_the_pair || symbols.is_some_and(|symbols| symbols.only);
         let mut functions: Vec<Name> = Vec::new();
         if !is_strict {
             for name in formulas
@@ -259,12 +257,12 @@ impl Guess {
                 .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
             {
                 // `\dif{r}{t}(t)` makes time no function of itself
-                if !functions.contains(&name) && name.to_string() != TIME && !vocabulary.declares(&name) {
+                if !functions.contains(&name) && name.to_string() != TIME && !symbols.declares(&name) {
                     functions.push(name);
                 }
             }
         }
-        let mut names = vocabulary.names.clone();
+        let mut names = symbols.names.clone();
         names.functions.extend(functions.iter().cloned());
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
@@ -340,7 +338,7 @@ impl Guess {
             functions,
             has_symbols,
             is_strict,
-            vocabulary,
+            symbols,
             met: HashSet::new(),
             definitions: HashMap::new(),
             premises: Vec::new(),
@@ -539,7 +537,7 @@ impl Guess {
 
     /// Returns true for a letter that is a function of time, or that the document declares.
     fn is_of_known_kind(&self, letter: &str) -> bool {
-        let is_declared = || read_name(letter, &Names::default()).is_ok_and(|name| self.vocabulary.knows(&name));
+        let is_declared = || read_name(letter, &Names::default()).is_ok_and(|name| self.symbols.knows(&name));
         self.functions.iter().any(|name| name.base == letter) || is_declared()
     }
 
@@ -576,7 +574,7 @@ impl Guess {
         };
         let mut right = BTreeSet::new();
         names_in(&equation.right, &mut right);
-        let is_new = !self.met.contains(name) && !self.vocabulary.knows(name) && !is_constant(name);
+        let is_new = !self.met.contains(name) && !self.symbols.knows(name) && !is_constant(name);
         let is_function = self.functions.contains(name) || name.base == TIME;
         let is_one = pair_of(name).is_none() && name.primes == 0 && !is_function;
         (equation.relation == Relation::Equal && is_new && is_one && !right.contains(name)).then(|| name.clone())
@@ -662,7 +660,7 @@ impl Guess {
         if !self.has_symbols || self.is_strict {
             return;
         }
-        while let Ok(sheet) = Sheet::from_raw(raw, lines, &Vocabulary::default()) {
+        while let Ok(sheet) = Sheet::from_raw(raw, lines, &Symbols::default()) {
             let new = self.unknown(&sheet);
             let more = self.with(raw.symbols.as_ref(), &new);
             let Some(symbols) = more.filter(|_| !new.is_empty()) else {
@@ -677,9 +675,9 @@ impl Guess {
     /// The symbols of the document and these, where they go together.
     fn with(
         &self,
-        symbols: Option<&Spanned<Symbols>>,
+        symbols: Option<&Spanned<RawSymbols>>,
         new: &BTreeMap<Name, Option<String>>,
-    ) -> Option<Spanned<Symbols>> {
+    ) -> Option<Spanned<RawSymbols>> {
         let names: BTreeSet<Name> = new.keys().cloned().collect();
         let functions: Vec<Name> = self
             .functions
@@ -692,7 +690,7 @@ impl Guess {
         let mut more = self.declared(&names, &functions);
         more.times.retain(|time| !declared.times.contains(time));
         let all = declared.and(more).ok()?;
-        let is_consistent = Vocabulary::read(&all).is_ok_and(|vocabulary| vocabulary.check().is_ok());
+        let is_consistent = all.read().is_ok_and(|symbols| check(&symbols).is_ok());
         is_consistent.then(|| Spanned::new(symbols.span(), all))
     }
 
@@ -728,7 +726,7 @@ impl Guess {
         let mut uses: HashMap<String, BTreeSet<Name>> = HashMap::new();
         for entry in &sheet.entries {
             let mut names = BTreeSet::new();
-            for (tree, _) in entry.trees(&sheet.vocabulary) {
+            for (tree, _) in entry.trees(&sheet.symbols) {
                 names_in(tree, &mut names);
             }
             let undeclared = names
@@ -743,7 +741,7 @@ impl Guess {
     }
 
     /// The symbols that occur, where the document declares none.
-    pub fn symbols(&self) -> Option<Symbols> {
+    pub fn raw_symbols(&self) -> Option<RawSymbols> {
         if self.has_symbols {
             return None;
         }
@@ -751,17 +749,17 @@ impl Guess {
     }
 
     /// Declarations of names that the document does not declare or define: functions of time, and real numbers.
-    fn declared(&self, names: &BTreeSet<Name>, functions: &[Name]) -> Symbols {
+    fn declared(&self, names: &BTreeSet<Name>, functions: &[Name]) -> RawSymbols {
         let single = |name: &Name| pair_of(name).unwrap_or_else(|| name.clone());
         let is_needed = |name: &&Name| !is_constant(name) && !self.definitions.contains_key(*name);
         let needed = names.iter().filter(is_needed).map(single);
         // what cannot be declared costs the formulas that hold it, and no other
         let is_declared = |name: &String| {
-            let alone = Symbols {
+            let alone = RawSymbols {
                 parameters: vec![name.clone()],
-                ..Symbols::default()
+                ..RawSymbols::default()
             };
-            Vocabulary::read(&alone).is_ok()
+            alone.read().is_ok()
         };
         let parameters: BTreeSet<String> = needed
             .filter(|name| !self.is_function(name))
@@ -773,11 +771,11 @@ impl Guess {
             let next = functions.contains(&next).then(|| next.to_string());
             format!("{name} = {}", next.unwrap_or_default())
         };
-        let symbols = Symbols {
+        let symbols = RawSymbols {
             parameters: parameters.into_iter().collect(),
-            ..Symbols::default()
+            ..RawSymbols::default()
         };
-        let with_functions = Symbols {
+        let with_functions = RawSymbols {
             times: match functions.is_empty() || self.declares_time() {
                 true => Vec::new(),
                 false => vec![TIME.to_owned()],
@@ -785,13 +783,13 @@ impl Guess {
             functions: Pairs::List(functions.iter().map(derivative).collect()),
             ..symbols.clone()
         };
-        let is_consistent = Vocabulary::read(&with_functions).is_ok_and(|vocabulary| vocabulary.check().is_ok());
+        let is_consistent = with_functions.read().is_ok_and(|symbols| check(&symbols).is_ok());
         if is_consistent { with_functions } else { symbols }
     }
 
     /// Returns true if the document declares the running time itself.
     fn declares_time(&self) -> bool {
-        read_name(TIME, &Names::default()).is_ok_and(|time| self.vocabulary.knows(&time))
+        read_name(TIME, &Names::default()).is_ok_and(|time| self.symbols.knows(&time))
     }
 
     /// What is guessed of the document as a whole.
@@ -811,7 +809,7 @@ impl Guess {
             ));
         }
         if let Some(symbols) = self
-            .symbols()
+            .raw_symbols()
             .filter(|symbols| !symbols.parameters.is_empty() || !self.functions.is_empty())
         {
             let list = |names: &[String]| names.join(", ");

@@ -1,10 +1,10 @@
 //! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
 
-use super::super::definition::{base_alone, is_constant};
-use super::super::nodes::{any, names_in};
 use super::members::{Members, contains_unit, j_is_unit};
 use super::words::is_identity_of_words;
-use crate::tex::{Equation, Invariant, Name, Operation, Relation, Tree, letters};
+use crate::tex::{
+    Equation, Invariant, Name, Operation, Relation, Tree, any, base_alone, is_constant, letters, names_in,
+};
 use std::collections::BTreeSet;
 
 /// The letters that a document marks.

@@ -16,10 +16,9 @@ mod words;
 use super::entry::{RawEntry, Role};
 use super::fault::{Fault, File, Source, Text};
 use super::sheet::{RawSheet, Sheet};
-use super::symbols::Symbols;
+use super::symbols::RawSymbols;
 use super::verdict::Verdict;
-use super::vocabulary::Vocabulary;
-use crate::tex::nearest;
+use crate::tex::{Symbols, nearest};
 use comment::{Key, completed, keys};
 use guess::Guess;
 use members::Members;
@@ -90,7 +89,7 @@ impl Said {
 /// What comments say of the whole document.
 #[derive(Default)]
 struct Whole {
-    symbols: Option<(Option<Box<Symbols>>, std::ops::Range<usize>)>,
+    symbols: Option<(Option<Box<RawSymbols>>, std::ops::Range<usize>)>,
     /// Roles of formulas that say nothing, from this formula on.
     defaults: Vec<(usize, Option<Role>)>,
     members: Members,
@@ -225,11 +224,11 @@ impl Document {
         }
     }
 
-    /// The sheet that the document is. `pair` is the vocabulary of the impact pair, for a document that asks for it.
+    /// The sheet that the document is. `pair` are the symbols of the impact pair, for a document that asks for it.
     ///
     /// # Errors
     /// As [`Sheet::read`].
-    pub fn sheet(&self, pair: &Vocabulary) -> Result<Sheet, Fault> {
+    pub fn sheet(&self, pair: &Symbols) -> Result<Sheet, Fault> {
         if !self.raw.equation.iter().any(|entry| entry.role == Role::Claim) {
             return Err(Fault::new("nothing is to be decided here: no formula is a claim"));
         }
@@ -547,7 +546,7 @@ fn entries(
         entry.guessed.extend(guess.beneath(entry.label.get_ref(), &below));
         entry.doubts.extend(guess.doubts(entry, &below));
     }
-    if let Some(symbols) = guess.symbols() {
+    if let Some(symbols) = guess.raw_symbols() {
         raw.symbols = Some(Spanned::new(0..0, symbols));
     }
     guess.told()

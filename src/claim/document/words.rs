@@ -1,8 +1,7 @@
 //! Polynomials in letters that do not commute: sums of words.
 
-use super::super::nodes::any;
 use crate::number::{Field, Rational};
-use crate::tex::{Equation, Name, Relation, Tree};
+use crate::tex::{Equation, Name, Relation, Tree, any};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet};
 

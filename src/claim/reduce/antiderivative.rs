@@ -3,9 +3,6 @@
 //!
 //! Nothing rests on what is found: it is shown to be one.
 
-use super::super::nodes::any;
-use super::super::substitute::number_of;
-use super::super::vocabulary::Vocabulary;
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
 };
@@ -13,34 +10,34 @@ use super::derivative::{By, mentions};
 use super::exponential::Terms;
 use super::parts::Parts;
 use crate::number::{Field, Rational};
-use crate::tex::{Name, Tree};
+use crate::tex::{Name, Symbols, Tree, any, number_of};
 
 /// The highest degree of a polynomial.
 const HIGHEST: usize = 24;
 
 /// An antiderivative of `of` by `by`.
-pub(super) fn antiderivative(of: &Tree, by: &Name, vocabulary: &Vocabulary) -> Option<Tree> {
-    let search = Search { by, vocabulary };
+pub(super) fn antiderivative(of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree> {
+    let search = Search { by, symbols };
     search.of(of)
 }
 
 /// A factor and the coefficients, from the constant on, of the exponent of `c e^(u + v x + w x^2)`.
-pub(super) fn quadratic_exponential(of: &Tree, by: &Name, vocabulary: &Vocabulary) -> Option<(Tree, [Tree; 3])> {
-    let search = Search { by, vocabulary };
+pub(super) fn quadratic_exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tree, [Tree; 3])> {
+    let search = Search { by, symbols };
     match of {
         Tree::Negate(inner) => {
-            let (factor, coefficients) = quadratic_exponential(inner, by, vocabulary)?;
+            let (factor, coefficients) = quadratic_exponential(inner, by, symbols)?;
             Some((negative(factor), coefficients))
         }
         Tree::Quotient(above, below, _) if !mentions(below, by) => {
-            let (factor, coefficients) = quadratic_exponential(above, by, vocabulary)?;
+            let (factor, coefficients) = quadratic_exponential(above, by, symbols)?;
             Some((quotient(factor, (**below).clone()), coefficients))
         }
         Tree::Product(factors) => {
             let (mut rest, mut free): (Vec<Tree>, Vec<Tree>) =
                 factors.iter().cloned().partition(|factor| mentions(factor, by));
             let single = rest.pop().filter(|_| rest.is_empty())?;
-            let (factor, coefficients) = quadratic_exponential(&single, by, vocabulary)?;
+            let (factor, coefficients) = quadratic_exponential(&single, by, symbols)?;
             free.push(factor);
             Some((product(free), coefficients))
         }
@@ -54,7 +51,7 @@ pub(super) fn quadratic_exponential(of: &Tree, by: &Name, vocabulary: &Vocabular
 
 struct Search<'a> {
     by: &'a Name,
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
 }
 
 impl Search<'_> {
@@ -71,10 +68,10 @@ impl Search<'_> {
 
     /// What holds unknown functions, and derivatives of these.
     fn by_functions(&self, tree: &Tree) -> Option<Tree> {
-        let is_function = |node: &Tree| matches!(node, Tree::Call(name, ..) if self.vocabulary.is_function(name));
+        let is_function = |node: &Tree| matches!(node, Tree::Call(name, ..) if self.symbols.is_function(name));
         let parts = Parts {
             by: self.by,
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             slope: &|tree| self.linear(tree).map(|(_, slope)| slope),
             known: &|tree| self.of(tree),
         };
@@ -217,7 +214,7 @@ impl Search<'_> {
         let (mut slope, mut wave) = (polynomial.clone(), wave.clone());
         let mut terms = Vec::new();
         let by = By {
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             name: self.by,
         };
         for place in 0..HIGHEST {
@@ -272,7 +269,7 @@ impl Search<'_> {
         match tree {
             Tree::RealPower(base, exponent, _) => {
                 let is_euler = matches!(&**base, Tree::Symbol(name, _) if *name == euler);
-                (is_euler && !self.vocabulary.declares(&euler)).then(|| (**exponent).clone())
+                (is_euler && !self.symbols.declares(&euler)).then(|| (**exponent).clone())
             }
             // e^2 and the like are read as integer powers
             Tree::Call(name, argument, _) if name.base == "\\exp" => Some((**argument).clone()),

@@ -1,14 +1,13 @@
 //! Values by cases: one goal for each choice of cases, under the conditions of these.
 
-use super::super::definition::pair_of;
-use super::super::nodes::{any, holds};
 use super::super::premise::Statements;
-use super::super::substitute::{mapped, runs, tree_runs};
-use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, negative};
 use super::derivative::mentions;
 use super::{Goal, Rule, rewritten, trees};
-use crate::tex::{Case, Condition, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{
+    Case, Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, holds, index_of, mapped, pair_of, runs,
+    tree_runs,
+};
 
 /// The most choices of cases.
 const MOST: usize = 64;
@@ -145,7 +144,7 @@ pub(super) struct Split {
 /// # Errors
 /// Why the statements do not hold where all of them hold in each case: something is said at more than one point of what
 /// the cases speak of, or there are too many choices.
-pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<Split, String> {
+pub(super) fn split(statements: &Statements, symbols: &Symbols) -> Result<Split, String> {
     if trees(statements).into_iter().any(is_bound_within) {
         return Err("cases of a letter that a sum, an integral or a derivative binds".to_owned());
     }
@@ -171,10 +170,10 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
         if cases.len() > MOST {
             return Err(too_many());
         }
-        at_one_point(statements, vocabulary, &cases)?;
+        at_one_point(statements, symbols, &cases)?;
         let conditions = conditions(&cases)?;
-        if is_differentiated(statements, vocabulary) {
-            lemmas.extend(ends(statements, vocabulary, &cases, &conditions)?);
+        if is_differentiated(statements, symbols) {
+            lemmas.extend(ends(statements, symbols, &cases, &conditions)?);
         }
         let mut more = Vec::new();
         for (chosen, statements) in all {
@@ -208,19 +207,19 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
 }
 
 /// That all of what is said by cases, or beside it, is said at one point of what these cases speak of.
-fn at_one_point(statements: &Statements, vocabulary: &Vocabulary, cases: &[Case]) -> Result<(), String> {
+fn at_one_point(statements: &Statements, symbols: &Symbols, cases: &[Case]) -> Result<(), String> {
     let is_cases = |operation: &Operation| matches!(operation, Operation::Cases(_));
     let in_equation = |equation: &Equation| holds(equation, &is_cases);
     let in_condition = |condition: &Condition| condition.sides().into_iter().any(stands_in);
     let is_law = |condition: &Condition| match condition {
-        Condition::Relation(relation) => vocabulary.is_law(relation),
-        Condition::Integer(tree) => tree_runs(tree, vocabulary),
+        Condition::Relation(relation) => symbols.is_law(relation),
+        Condition::Integer(tree) => tree_runs(tree, symbols),
     };
-    let runs_in_claim = statements.claims.iter().any(|claim| runs(claim, vocabulary))
+    let runs_in_claim = statements.claims.iter().any(|claim| runs(claim, symbols))
         && (statements.claims.iter().any(in_equation)
             || statements.assume.iter().any(|own| is_law(own) && in_condition(own)));
     let in_law = statements.premises.iter().any(|premise| {
-        let is_law = vocabulary.is_law(&premise.equation) || premise.assume.iter().any(is_law);
+        let is_law = symbols.is_law(&premise.equation) || premise.assume.iter().any(is_law);
         is_law && (in_equation(&premise.equation) || premise.assume.iter().any(in_condition))
     });
     if runs_in_claim || in_law {
@@ -241,15 +240,15 @@ fn at_one_point(statements: &Statements, vocabulary: &Vocabulary, cases: &[Case]
 }
 
 /// Whether derivatives of what premises give are written, so that premises are used beside the point too.
-fn is_differentiated(statements: &Statements, vocabulary: &Vocabulary) -> bool {
+fn is_differentiated(statements: &Statements, symbols: &Symbols) -> bool {
     let has_partial = |tree: &Tree| any(tree, &mut |node| matches!(node, Tree::Partial { .. }));
-    trees(statements).into_iter().any(has_partial) || statements.clone().with_overview(vocabulary).speaks_of_maps
+    trees(statements).into_iter().any(has_partial) || statements.clone().with_overview(symbols).speaks_of_maps
 }
 
 /// That the conditions of cases in premises hold around each point at which all else does: none of their ends is met.
 fn ends(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     cases: &[Case],
     conditions: &[Vec<Condition>],
 ) -> Result<Vec<Goal>, String> {
@@ -281,7 +280,7 @@ fn ends(
         if !goals.iter().any(|goal| goal.statements.claims.contains(&end)) {
             let part = format!("a derivative beside the end {end} of a case");
             rest.claims = vec![end];
-            goals.push(Goal::of(&rest, vocabulary, part));
+            goals.push(Goal::of(&rest, symbols, part));
         }
     }
     Ok(goals)

@@ -6,11 +6,7 @@
 //! functions) is read where its argument is real and, by a lemma, in the real domain: there its principal value is
 //! the real one.
 
-use super::super::definition::pair_of;
-use super::super::nodes::{any, any_side, nodes_of};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{number_of, rewrite};
-use super::super::vocabulary::{Map, Vocabulary};
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
 };
@@ -18,7 +14,10 @@ use super::factorial::is_integer;
 use super::law::{names_function, value_of};
 use super::{Goal, Reduced, Rule, fresh_like, rewritten, trees};
 use crate::number::{Field, Rational};
-use crate::tex::{At, Condition, Elementary, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{
+    At, Condition, Elementary, Equation, Map, Meaning, Name, Operation, Relation, Symbols, Tree, any, any_side,
+    nodes_of, number_of, pair_of, rewrite,
+};
 use std::collections::BTreeMap;
 
 /// The largest formula of a part, in nodes.
@@ -36,20 +35,20 @@ const DEEPEST: usize = 20;
 const CONJUGATE: &str = r"\conjugate";
 
 /// Whether claim, premises or conditions need real and imaginary parts to be told what they say.
-pub(super) fn takes_part(statements: &Statements, vocabulary: &Vocabulary) -> bool {
+pub(super) fn takes_part(statements: &Statements, symbols: &Symbols) -> bool {
     let trees = trees(statements).into_iter();
-    let trees: Vec<Tree> = trees.map(|tree| meant(tree, vocabulary)).collect();
-    let is_complex = |tree: &Tree| any(tree, &mut |node| is_complex(node, vocabulary));
-    trees.iter().any(|tree| has_part(tree, vocabulary))
+    let trees: Vec<Tree> = trees.map(|tree| meant(tree, symbols)).collect();
+    let is_complex = |tree: &Tree| any(tree, &mut |node| is_complex(node, symbols));
+    trees.iter().any(|tree| has_part(tree, symbols))
         || (trees.iter().any(|tree| any(tree, &mut is_modulus)) && trees.iter().any(is_complex))
 }
 
-fn meant(tree: &Tree, vocabulary: &Vocabulary) -> Tree {
-    rewrite(tree, &|name| vocabulary.meaning(name, &|_| false))
+fn meant(tree: &Tree, symbols: &Symbols) -> Tree {
+    rewrite(tree, &|name| symbols.meaning(name, &|_| false))
 }
 
-fn is_complex(node: &Tree, vocabulary: &Vocabulary) -> bool {
-    matches!(node, Tree::Symbol(..)) && vocabulary.may_be_complex(node)
+fn is_complex(node: &Tree, symbols: &Symbols) -> bool {
+    matches!(node, Tree::Symbol(..)) && symbols.may_be_complex(node)
 }
 
 fn is_modulus(node: &Tree) -> bool {
@@ -57,22 +56,22 @@ fn is_modulus(node: &Tree) -> bool {
 }
 
 /// Whether a conjugate, a real or imaginary part, an argument or the modulus of what may be complex stands in a tree.
-fn has_part(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+fn has_part(tree: &Tree, symbols: &Symbols) -> bool {
     any(tree, &mut |node| match node {
-        Tree::Symbol(name, _) => vocabulary.conjugated(name).is_some(),
-        Tree::Call(name, inner, _) if name.base == r"\abs" => any(inner, &mut |node| is_complex(node, vocabulary)),
+        Tree::Symbol(name, _) => symbols.conjugated(name).is_some(),
+        Tree::Call(name, inner, _) if name.base == r"\abs" => any(inner, &mut |node| is_complex(node, symbols)),
         Tree::Call(name, ..) => matches!(name.base.as_str(), CONJUGATE | r"\Re" | r"\Im" | r"\arg"),
         _ => false,
     })
 }
 
 /// Refuses derivatives and integrals of what is not analytic: the rules for them are not those of real functions.
-pub(super) fn refuse_inside(statements: &Statements, vocabulary: &Vocabulary) -> Result<(), String> {
+pub(super) fn refuse_inside(statements: &Statements, symbols: &Symbols) -> Result<(), String> {
     for tree in trees(statements) {
         let mut is_inside = |node: &Tree| match node {
             Tree::Operation(operation, _) => {
                 matches!(**operation, Operation::Derivative { .. } | Operation::Integral { .. })
-                    && has_part(&meant(node, vocabulary), vocabulary)
+                    && has_part(&meant(node, symbols), symbols)
             }
             _ => false,
         };
@@ -85,9 +84,9 @@ pub(super) fn refuse_inside(statements: &Statements, vocabulary: &Vocabulary) ->
 }
 
 /// The goals of a claim as goals about real numbers.
-pub(super) fn as_real(reduced: Reduced, vocabulary: &Vocabulary) -> Result<Reduced, String> {
+pub(super) fn as_real(reduced: Reduced, symbols: &Symbols) -> Result<Reduced, String> {
     let goals = reduced.sufficient.iter().chain(&reduced.necessary);
-    let is_left = |goal: &Goal| takes_part(&goal.statements, &goal.vocabulary);
+    let is_left = |goal: &Goal| takes_part(&goal.statements, &goal.symbols);
     if !goals.chain(&reduced.lemmas).any(is_left) {
         return Ok(reduced);
     }
@@ -96,7 +95,7 @@ pub(super) fn as_real(reduced: Reduced, vocabulary: &Vocabulary) -> Result<Reduc
             "conjugates, real and imaginary parts and moduli in a sum of symbolic length or an integral".into(),
         );
     }
-    refuse_elsewhere(vocabulary)?;
+    refuse_elsewhere(symbols)?;
     let (mut sufficient, mut lemmas): (Vec<Goal>, Vec<Goal>) = (Vec::new(), Vec::new());
     for goal in &reduced.sufficient {
         let (goal, needed) = in_parts(goal)?;
@@ -111,34 +110,33 @@ pub(super) fn as_real(reduced: Reduced, vocabulary: &Vocabulary) -> Result<Reduc
     })
 }
 
-/// Refuses complex numbers in what the vocabulary says beyond names: it is not rewritten.
-fn refuse_elsewhere(vocabulary: &Vocabulary) -> Result<(), String> {
-    let relations = vocabulary.relations.iter().chain(&vocabulary.laws);
+/// Refuses complex numbers in what the symbol table says beyond names: it is not rewritten.
+fn refuse_elsewhere(symbols: &Symbols) -> Result<(), String> {
+    let relations = symbols.relations.iter().chain(&symbols.laws);
     let relations = relations.flat_map(|relation| [&relation.left, &relation.right]);
-    let derivatives = vocabulary.functions.iter().filter_map(|(_, tree)| tree.as_ref());
-    let periods = vocabulary.periods.iter().map(|(_, tree)| tree);
+    let derivatives = symbols.functions().filter_map(|(_, tree)| tree);
+    let periods = symbols.periods().map(|(_, tree)| tree);
     let lists = [
-        &vocabulary.positive,
-        &vocabulary.nonnegative,
-        &vocabulary.nonzero,
-        &vocabulary.integers,
-        &vocabulary.at_most_one,
-        &vocabulary.generic,
+        Meaning::Positive,
+        Meaning::Nonnegative,
+        Meaning::Nonzero,
+        Meaning::Integer,
+        Meaning::Generic,
     ];
-    let listed = vocabulary.abbreviations.iter();
-    let listed = listed.filter(|(name, _)| lists.iter().any(|list| list.contains(name)));
+    let listed = symbols.abbreviations();
+    let listed = listed.filter(|(name, _)| lists.iter().any(|kind| symbols.is(name, kind)));
     let listed = listed.map(|(_, tree)| tree);
-    let maps = vocabulary.maps.iter().flat_map(|(_, map)| match map {
+    let maps = symbols.maps().flat_map(|(_, map)| match map {
         Map::Equations(equations) => equations.as_slice(),
         _ => &[],
     });
     let maps = maps.flat_map(|equation| [&equation.left, &equation.right]);
     let mut said = relations.chain(derivatives).chain(periods).chain(listed).chain(maps);
     let holds = |tree: &Tree| {
-        let tree = meant(tree, vocabulary);
-        any(&tree, &mut |node| is_complex(node, vocabulary)) || has_part(&tree, vocabulary)
+        let tree = meant(tree, symbols);
+        any(&tree, &mut |node| is_complex(node, symbols)) || has_part(&tree, symbols)
     };
-    if said.any(holds) || vocabulary.generic.iter().any(|name| vocabulary.complex.contains(name)) {
+    if said.any(holds) || symbols.generic().any(|name| symbols.is_complex(name)) {
         let problem =
             "what [symbols] says of complex numbers is not split into real and imaginary parts: write premises";
         return Err(problem.to_owned());
@@ -148,12 +146,12 @@ fn refuse_elsewhere(vocabulary: &Vocabulary) -> Result<(), String> {
 
 /// A goal about real numbers that says the same, and what must hold for it to.
 fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
-    let vocabulary = &goal.vocabulary;
-    let statements = rewritten(&goal.statements, Rule::Definitions, &|tree| meant(tree, vocabulary));
-    let parts = parts_of_symbols(&statements, vocabulary)?;
-    let real = vocabulary.with_parts(&parts);
+    let symbols = &goal.symbols;
+    let statements = rewritten(&goal.statements, Rule::Definitions, &|tree| meant(tree, symbols));
+    let parts = parts_of_symbols(&statements, symbols)?;
+    let real = symbols.with_parts(&parts);
     let mut splitter = Splitter {
-        vocabulary,
+        symbols,
         parts: &parts,
         statements: &statements,
         depth: 0,
@@ -169,7 +167,7 @@ fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
     };
     // of what a lemma speaks it may rest on what needs none
     let mut plain_ones = out.clone();
-    for (_, [re, im]) in parts.iter().filter(|(name, _)| vocabulary.nonzero.contains(name)) {
+    for (_, [re, im]) in parts.iter().filter(|(name, _)| symbols.is_nonzero(name)) {
         let squares = sum(vec![power(symbol(re), 2), power(symbol(im), 2)]);
         let condition = Condition::Relation(Equation {
             relation: Relation::NotEqual,
@@ -207,7 +205,7 @@ fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
     }
     let written_out = std::mem::take(&mut splitter.written_out);
     for statements in [&mut out, &mut plain_ones] {
-        drop_definitions(statements, &written_out, vocabulary);
+        drop_definitions(statements, &written_out, symbols);
     }
     let mut lemmas: Vec<Goal> = Vec::new();
     for claim in std::mem::take(&mut splitter.needed) {
@@ -224,7 +222,7 @@ fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
 }
 
 /// Drops the premises that say what a function is whose values are written out, where nothing else speaks of it.
-fn drop_definitions(statements: &mut Statements, functions: &[Name], vocabulary: &Vocabulary) {
+fn drop_definitions(statements: &mut Statements, functions: &[Name], symbols: &Symbols) {
     let speaks = |tree: &Tree, function: &Name| {
         let mut names = |node: &Tree| matches!(node, Tree::Call(name, ..) | Tree::Symbol(name, _) if name.bare() == function.bare());
         any(tree, &mut names)
@@ -233,12 +231,8 @@ fn drop_definitions(statements: &mut Statements, functions: &[Name], vocabulary:
         let is_listed = |name: &Name, tree: Option<&Tree>| {
             (name == function && tree.is_some()) || tree.is_some_and(|tree| speaks(tree, function))
         };
-        let derivatives = &vocabulary.functions;
-        !derivatives.iter().any(|(name, tree)| is_listed(name, tree.as_ref()))
-            && !vocabulary
-                .periods
-                .iter()
-                .any(|(name, tree)| is_listed(name, Some(tree)))
+        !symbols.functions().any(|(name, tree)| is_listed(name, tree))
+            && !symbols.periods().any(|(name, tree)| is_listed(name, Some(tree)))
     };
     for _ in functions {
         for function in functions.iter().filter(|function| is_alone(function)) {
@@ -255,26 +249,26 @@ fn drop_definitions(statements: &mut Statements, functions: &[Name], vocabulary:
 }
 
 /// The names of the real and the imaginary part of each complex symbol.
-fn parts_of_symbols(statements: &Statements, vocabulary: &Vocabulary) -> Result<BTreeMap<Name, [Name; 2]>, String> {
+fn parts_of_symbols(statements: &Statements, symbols: &Symbols) -> Result<BTreeMap<Name, [Name; 2]>, String> {
     let mut parts = BTreeMap::new();
     let mut met: Vec<Name> = Vec::new();
     for tree in trees(statements) {
         any(tree, &mut |node| {
             if let Tree::Symbol(name, _) = node
-                && is_complex(node, vocabulary)
+                && is_complex(node, symbols)
             {
-                let plain = vocabulary.conjugated(name).map(|(plain, _)| plain);
+                let plain = symbols.conjugated(name).map(|(plain, _)| plain);
                 met.push(plain.unwrap_or_else(|| name.clone()));
             }
             false
         });
     }
-    met.retain(|name| !vocabulary.is_unit(name));
+    met.retain(|name| !symbols.is_unit(name));
     met.sort();
     met.dedup();
-    let mut own = vocabulary.clone();
+    let mut own = symbols.clone();
     for name in met {
-        if !vocabulary.parameters.contains(&name) || vocabulary.running.as_ref() == Some(&name) {
+        if !symbols.is_parameter(&name) || symbols.running() == Some(&name) {
             return Err(format!("`{name}` runs and is complex: it is not split into its parts"));
         }
         let mut part = |letter: &str| {
@@ -341,7 +335,7 @@ fn less(left: Tree, relation: Relation) -> Equation {
 
 /// Splits formulas into their parts.
 struct Splitter<'a> {
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     parts: &'a BTreeMap<Name, [Name; 2]>,
     statements: &'a Statements,
     /// How deep the values of functions go that are written out.
@@ -459,9 +453,9 @@ impl Splitter<'_> {
 
     /// The squares of both sides, which compare as the sides do where neither is negative: without the roots of moduli.
     fn squares(&mut self, equation: &Equation) -> Result<Option<[Tree; 2]>, String> {
-        let vocabulary = self.vocabulary;
+        let symbols = self.symbols;
         let mut is_root = |node: &Tree| match node {
-            Tree::Call(_, inner, _) if is_modulus(node) => any(inner, &mut |node| is_complex(node, vocabulary)),
+            Tree::Call(_, inner, _) if is_modulus(node) => any(inner, &mut |node| is_complex(node, symbols)),
             _ => false,
         };
         if !any_side(equation, &mut is_root) {
@@ -495,13 +489,13 @@ impl Splitter<'_> {
     /// |u| |v| is no less than the real part of u times the conjugate of v, nor than its opposite, for the moduli that an
     /// inequality speaks of: what triangle inequalities rest on.
     fn cauchy_schwarz(&mut self, equation: &Equation) -> Result<Vec<Premise>, String> {
-        let vocabulary = self.vocabulary;
+        let symbols = self.symbols;
         let mut met: Vec<Tree> = Vec::new();
         any_side(equation, &mut |node| {
             if let Tree::Call(_, inner, _) = node
                 && is_modulus(node)
-                && any(inner, &mut |node| is_complex(node, vocabulary))
-                && !has_part(inner, vocabulary)
+                && any(inner, &mut |node| is_complex(node, symbols))
+                && !has_part(inner, symbols)
                 && !met.contains(inner)
             {
                 met.push((**inner).clone());
@@ -615,7 +609,7 @@ impl Splitter<'_> {
     }
 
     fn of_symbol(&self, name: &Name, tree: &Tree) -> Result<Pair, String> {
-        let (plain, is_conjugate) = match self.vocabulary.conjugated(name) {
+        let (plain, is_conjugate) = match self.symbols.conjugated(name) {
             Some(found) => found,
             None => (name.clone(), false),
         };
@@ -624,11 +618,11 @@ impl Splitter<'_> {
                 re: symbol(re),
                 im: symbol(im),
             },
-            None if self.vocabulary.is_unit(&plain) => Pair {
+            None if self.symbols.is_unit(&plain) => Pair {
                 re: integer(0),
                 im: integer(1),
             },
-            None if self.vocabulary.may_be_complex(tree) => return Err(format!("the parts of `{name}`")),
+            None if self.symbols.may_be_complex(tree) => return Err(format!("the parts of `{name}`")),
             None => Pair::real(tree.clone()),
         };
         Ok(match is_conjugate {
@@ -729,16 +723,16 @@ impl Splitter<'_> {
     }
 
     fn of_real_power(&mut self, base: &Tree, exponent: &Tree) -> Result<Pair, String> {
-        if self.vocabulary.transposes(exponent) {
+        if self.symbols.transposes(exponent) {
             return Err(format!("the transpose of `{base}`"));
         }
         if self.is_euler(base) {
             let exponent = self.pair(exponent)?;
             return Ok(exponential(exponent));
         }
-        if is_integer(exponent, self.vocabulary) {
+        if is_integer(exponent, self.symbols) {
             let pair = self.pair(base)?;
-            let nonzero = |name: &Name| self.vocabulary.nonzero.contains(name);
+            let nonzero = |name: &Name| self.symbols.is_nonzero(name);
             let is_nonzero = match &pair.re {
                 Tree::Symbol(name, _) if nonzero(name) => true,
                 re => {
@@ -765,7 +759,7 @@ impl Splitter<'_> {
 
     fn is_euler(&self, base: &Tree) -> bool {
         let euler = plain("e");
-        matches!(base, Tree::Symbol(name, _) if *name == euler) && !self.vocabulary.declares(&euler)
+        matches!(base, Tree::Symbol(name, _) if *name == euler) && !self.symbols.declares(&euler)
     }
 
     fn of_root(&mut self, radicand: &Tree, index: u32, at: At) -> Result<Pair, String> {
@@ -790,10 +784,10 @@ impl Splitter<'_> {
         let zero = Rational::from_integer(0);
         match tree {
             Tree::Number(value) => (*value >= zero).then_some(*value > zero),
-            Tree::Symbol(name, _) if self.vocabulary.positive.contains(name) => Some(true),
-            Tree::Symbol(name, _) if self.vocabulary.nonnegative.contains(name) => Some(false),
+            Tree::Symbol(name, _) if self.symbols.is_positive(name) => Some(true),
+            Tree::Symbol(name, _) if self.symbols.is_nonnegative(name) => Some(false),
             Tree::Symbol(name, _) => {
-                let is_constant = [plain("e"), plain(r"\pi")].contains(name) && !self.vocabulary.declares(name);
+                let is_constant = [plain("e"), plain(r"\pi")].contains(name) && !self.symbols.declares(name);
                 is_constant.then_some(true)
             }
             Tree::Sum(terms) => {
@@ -820,7 +814,7 @@ impl Splitter<'_> {
 
     fn of_call(&mut self, name: &Name, argument: &Tree, at: At) -> Result<Pair, String> {
         let again = |argument: Tree| Tree::Call(name.clone(), Box::new(argument), at);
-        if self.vocabulary.names.is_function(name) || self.vocabulary.is_function(name) {
+        if self.symbols.names.is_function(name) || self.symbols.is_function(name) {
             let Pair { re, im } = self.pair(argument)?;
             return match is_zero(&im) {
                 true => Ok(Pair::real(again(re))),
@@ -829,7 +823,7 @@ impl Splitter<'_> {
         }
         Ok(match name.base.as_str() {
             CONJUGATE => {
-                let is_complex = |node: &Tree| is_complex(node, self.vocabulary);
+                let is_complex = |node: &Tree| is_complex(node, self.symbols);
                 if !any(argument, &mut |node| is_complex(node)) {
                     return Err(format!(
                         "a line over `{argument}`, which is real: is it a mean value or the length of a segment?"
@@ -891,7 +885,7 @@ impl Splitter<'_> {
     /// The value of a function at a complex argument, where one premise says what the function is.
     fn of_value(&mut self, function: &Name, argument: &Tree) -> Result<Pair, String> {
         let unknown = || format!("the value of `{function}` at the complex argument `{argument}`");
-        let there = value_of(function, argument, self.statements, self.vocabulary).ok_or_else(unknown)?;
+        let there = value_of(function, argument, self.statements, self.symbols).ok_or_else(unknown)?;
         if self.depth >= DEEPEST {
             return Err(unknown());
         }
@@ -1018,22 +1012,22 @@ fn circular(function: &str, Pair { re, im }: Pair) -> Pair {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claim::symbols::Symbols;
+    use crate::claim::symbols::RawSymbols;
 
     /// What an equation comes to, and what must hold for it to.
     fn shown(tex: &str) -> Result<[Vec<String>; 2], String> {
         let list = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let symbols = Symbols {
+        let symbols = RawSymbols {
             parameters: list(&["x", "y"]),
             complex: list(&["z"]),
-            ..Symbols::default()
+            ..RawSymbols::default()
         };
-        let vocabulary = Vocabulary::read(&symbols).unwrap();
+        let symbols = symbols.read().unwrap();
         let statements = Statements {
-            claims: crate::tex::read(tex, &vocabulary.names).unwrap(),
+            claims: crate::tex::read(tex, &symbols.names).unwrap(),
             ..Statements::default()
         };
-        let goal = Goal::of(&statements, &vocabulary, String::new());
+        let goal = Goal::of(&statements, &symbols, String::new());
         let (goal, lemmas) = in_parts(&goal)?;
         let claims = goal.statements.claims.iter().map(ToString::to_string).collect();
         Ok([claims, lemmas.into_iter().map(|lemma| lemma.part).collect()])

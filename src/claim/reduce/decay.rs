@@ -1,13 +1,11 @@
 //! What vanishes faster than each power of what is small: exponentials that decay, times what grows like a power at most.
 
-use super::super::nodes::any;
-use super::super::substitute::number_of;
 use super::build::plain;
 use super::derivative::mentions;
 use super::evaluate::may_be_undefined;
 use super::series::{Small, is_likely_zero, is_zero, relation};
 use crate::number::{Field, Rational};
-use crate::tex::{Elementary, Relation, Tree};
+use crate::tex::{Elementary, Relation, Tree, any, number_of};
 
 impl Small<'_> {
     /// Whether a tree is o(h^n) for every n: its series is 0 then, as far as any is followed.
@@ -30,7 +28,7 @@ impl Small<'_> {
             Tree::RealPower(base, exponent, _) => {
                 let euler = plain("e");
                 let is_euler = matches!(&**base, Tree::Symbol(name, _) if *name == euler);
-                (is_euler && !self.vocabulary.declares(&euler)).then_some(&**exponent)
+                (is_euler && !self.symbols.declares(&euler)).then_some(&**exponent)
             }
             Tree::Call(name, exponent, _) if name.base == "\\exp" => Some(&**exponent),
             _ => None,
@@ -77,7 +75,7 @@ impl Small<'_> {
         if number_of(&first).is_some_and(|rate| rate >= Rational::from_integer(0)) {
             return false;
         }
-        if degree >= 0 || !has_sign || is_likely_zero(&first) || self.vocabulary.may_be_complex(&first) {
+        if degree >= 0 || !has_sign || is_likely_zero(&first) || self.symbols.may_be_complex(&first) {
             return false;
         }
         self.need(relation(first, Relation::Less));
@@ -100,7 +98,7 @@ impl Small<'_> {
             Tree::Call(name, argument, _)
                 if Elementary::named(name).is_some_and(|function| function.is_bounded() && function.is_total()) =>
             {
-                !self.vocabulary.speaks_of_complex(argument) && self.is_moderate(argument)
+                !self.symbols.speaks_of_complex(argument) && self.is_moderate(argument)
             }
             tree => self.is_flat(tree) || self.of(tree).is_ok(),
         }

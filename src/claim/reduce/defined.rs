@@ -1,11 +1,9 @@
 //! What must hold for a formula to have a value.
 
-use super::super::substitute::number_of;
-use super::super::vocabulary::Vocabulary;
 use super::build::{integer, plain};
 use super::factorial::{DOUBLE_FACTORIAL, FACTORIAL};
 use crate::number::{Field, Rational};
-use crate::tex::{Elementary, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{Elementary, Equation, Name, Operation, Relation, Symbols, Tree, number_of};
 
 fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
     Equation {
@@ -15,18 +13,18 @@ fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
 }
 
 /// The conditions, together sufficient, under which a tree of real numbers has a value.
-pub(super) fn conditions(tree: &Tree, vocabulary: &Vocabulary) -> Result<Vec<Equation>, String> {
-    conditions_beside(tree, vocabulary, &|_| false)
+pub(super) fn conditions(tree: &Tree, symbols: &Symbols) -> Result<Vec<Equation>, String> {
+    conditions_beside(tree, symbols, &|_| false)
 }
 
 /// The same where functions that pass the test have a value at each number.
 pub(super) fn conditions_beside(
     tree: &Tree,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     is_smooth: &dyn Fn(&Name) -> bool,
 ) -> Result<Vec<Equation>, String> {
     let mut found = Vec::new();
-    collect(tree, vocabulary, is_smooth, &mut found)?;
+    collect(tree, symbols, is_smooth, &mut found)?;
     found.dedup();
     Ok(found)
 }
@@ -43,7 +41,7 @@ fn nonzero(tree: &Tree, found: &mut Vec<Equation>) {
 
 fn collect(
     tree: &Tree,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     is_smooth: &dyn Fn(&Name) -> bool,
     found: &mut Vec<Equation>,
 ) -> Result<(), String> {
@@ -52,41 +50,39 @@ fn collect(
         Tree::Number(_) | Tree::Symbol(..) => {}
         Tree::Sum(parts) | Tree::Product(parts) => {
             for part in parts {
-                collect(part, vocabulary, is_smooth, found)?;
+                collect(part, symbols, is_smooth, found)?;
             }
         }
-        Tree::Negate(inner) => collect(inner, vocabulary, is_smooth, found)?,
+        Tree::Negate(inner) => collect(inner, symbols, is_smooth, found)?,
         Tree::Quotient(above, below, _) => {
-            collect(above, vocabulary, is_smooth, found)?;
-            collect(below, vocabulary, is_smooth, found)?;
+            collect(above, symbols, is_smooth, found)?;
+            collect(below, symbols, is_smooth, found)?;
             nonzero(below, found);
         }
         Tree::Power(base, exponent, _) => {
-            collect(base, vocabulary, is_smooth, found)?;
+            collect(base, symbols, is_smooth, found)?;
             if *exponent < 0 {
                 nonzero(base, found);
             }
         }
         Tree::Root(radicand, index, _) => {
-            collect(radicand, vocabulary, is_smooth, found)?;
+            collect(radicand, symbols, is_smooth, found)?;
             if index % 2 == 0 {
                 found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, zero()));
             }
         }
         Tree::RealPower(base, exponent, _) => {
-            collect(base, vocabulary, is_smooth, found)?;
-            collect(exponent, vocabulary, is_smooth, found)?;
+            collect(base, symbols, is_smooth, found)?;
+            collect(exponent, symbols, is_smooth, found)?;
             let euler = plain("e");
             let is_positive = match &**base {
                 Tree::Number(value) => *value > Rational::from_integer(0),
-                Tree::Symbol(name, _) => {
-                    (*name == euler && !vocabulary.declares(&euler)) || vocabulary.positive.contains(name)
-                }
+                Tree::Symbol(name, _) => (*name == euler && !symbols.declares(&euler)) || symbols.is_positive(name),
                 _ => false,
             };
-            let is_whole = super::factorial::is_integer(exponent, vocabulary);
+            let is_whole = super::factorial::is_integer(exponent, symbols);
             let is_nonzero = match &**base {
-                Tree::Symbol(name, _) => vocabulary.nonzero.contains(name),
+                Tree::Symbol(name, _) => symbols.is_nonzero(name),
                 base => number_of(base).is_some_and(|value| value != Rational::from_integer(0)),
             };
             if is_whole && !is_positive && !is_nonzero {
@@ -96,7 +92,7 @@ fn collect(
             }
         }
         Tree::Call(name, argument, _) => {
-            collect(argument, vocabulary, is_smooth, found)?;
+            collect(argument, symbols, is_smooth, found)?;
             match (name.base.as_str(), Elementary::named(name)) {
                 (FACTORIAL | DOUBLE_FACTORIAL, _) => {
                     found.push(relation((**argument).clone(), Relation::GreaterOrEqual, zero()));
@@ -108,8 +104,8 @@ fn collect(
         }
         // of integers it always has a value
         Tree::Operation(operation, _) => match &**operation {
-            Operation::Binomial(of, chosen) if super::factorial::is_integer(chosen, vocabulary) => {
-                collect(of, vocabulary, is_smooth, found)?;
+            Operation::Binomial(of, chosen) if super::factorial::is_integer(chosen, symbols) => {
+                collect(of, symbols, is_smooth, found)?;
             }
             _ => return Err(format!("where `{tree}` has a value is not known")),
         },

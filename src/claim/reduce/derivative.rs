@@ -1,12 +1,9 @@
 //! Derivatives by the rules of differentiation: a value where each rule gives one.
 
-use super::super::nodes::{any, nodes_of};
-use super::super::substitute::rewrite;
-use super::super::vocabulary::Vocabulary;
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, sum, symbol,
 };
-use crate::tex::{Elementary, Name, Operation, Series, Tree};
+use crate::tex::{Elementary, Name, Operation, Series, Symbols, Tree, any, nodes_of, rewrite};
 
 /// The largest derivative, in nodes.
 const LARGEST: usize = 20_000;
@@ -21,7 +18,7 @@ pub(super) fn mentions(tree: &Tree, name: &Name) -> bool {
 
 /// Differentiates by one symbol.
 pub(super) struct By<'a> {
-    pub vocabulary: &'a Vocabulary,
+    pub symbols: &'a Symbols,
     pub name: &'a Name,
 }
 
@@ -39,7 +36,7 @@ impl By<'_> {
     }
 
     fn runs(&self) -> bool {
-        self.vocabulary.running.as_ref() == Some(self.name)
+        self.symbols.running() == Some(self.name)
     }
 
     /// The derivative of a tree; nothing in it is an abbreviation or a definition.
@@ -55,7 +52,7 @@ impl By<'_> {
                 if is_zero(&slope) {
                     return unchanged();
                 }
-                let outer = match self.vocabulary.is_function(name) || self.vocabulary.is_in_flight(name) {
+                let outer = match self.symbols.is_function(name) || self.symbols.is_in_flight(name) {
                     true => self.derivative_of(name, Some(argument))?,
                     false => Elementary::named(name)
                         .and_then(|function| function.derivative(argument))
@@ -130,7 +127,7 @@ impl By<'_> {
         let (up, down) = (self.of(exponent)?, self.of(base)?);
         let whole = real_power(base.clone(), exponent.clone());
         let euler = plain("e");
-        let is_euler = matches!(base, Tree::Symbol(name, _) if *name == euler) && !self.vocabulary.declares(&euler);
+        let is_euler = matches!(base, Tree::Symbol(name, _) if *name == euler) && !self.symbols.declares(&euler);
         Ok(match (is_zero(&up), is_zero(&down)) {
             (true, true) => integer(0),
             (false, true) if is_euler => product(vec![whole, up]),
@@ -157,8 +154,8 @@ impl By<'_> {
 
     /// Whether a name without an argument is a value at the running time.
     fn moves(&self, name: &Name) -> bool {
-        let is_flying = self.vocabulary.is_in_flight(name) && name.mark.is_empty() && name.subscript.is_empty();
-        is_flying || (self.vocabulary.is_function(name) && !self.vocabulary.parameters.contains(name))
+        let is_flying = self.symbols.is_in_flight(name) && name.mark.is_empty() && name.subscript.is_empty();
+        is_flying || (self.symbols.is_function(name) && !self.symbols.is_parameter(name))
     }
 
     /// The derivative of a function or a state, at its argument.
@@ -167,17 +164,17 @@ impl By<'_> {
             Some(argument) => Tree::Call(slope, Box::new(argument.clone()), crate::tex::At::default()),
             None => symbol(&slope),
         };
-        if self.vocabulary.is_in_flight(name) {
+        if self.symbols.is_in_flight(name) {
             let dotted = name.dotted();
-            return match self.vocabulary.is_in_flight(&dotted) {
+            return match self.symbols.is_in_flight(&dotted) {
                 true => Ok(at(dotted)),
                 false => Err(format!("`{name}` is not differentiated further")),
             };
         }
-        let declared = self.vocabulary.functions.iter().find(|(function, _)| function == name);
-        Ok(match declared.and_then(|(_, slope)| slope.as_ref()) {
+        let declared = self.symbols.functions().find(|(function, _)| *function == name);
+        Ok(match declared.and_then(|(_, slope)| slope) {
             Some(Tree::Symbol(slope, _)) => at(slope.clone()),
-            Some(slope) => match (argument, self.vocabulary.running.as_ref()) {
+            Some(slope) => match (argument, self.symbols.running()) {
                 (Some(argument), Some(running)) => rewrite(slope, &|name| (name == running).then(|| argument.clone())),
                 _ => slope.clone(),
             },

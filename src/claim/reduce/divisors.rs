@@ -1,12 +1,9 @@
 //! What authors divide premises by when they solve them.
 
-use super::super::nodes::{any, any_side, with_part};
-use super::super::substitute::number_of;
-use super::super::vocabulary::Vocabulary;
 use super::Goal;
 use super::build::{difference, is_zero, symbol};
 use super::derivative::By;
-use crate::tex::{Equation, Name, Relation, Tree};
+use crate::tex::{Equation, Name, Relation, Symbols, Tree, any, any_side, number_of, with_part};
 
 /// The most letters and values of functions by which premises are differentiated.
 const MOST: usize = 20;
@@ -16,14 +13,14 @@ const MOST: usize = 20;
 /// division. A product that is 0 is not divided: either factor may be 0.
 pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
     let Goal {
-        statements, vocabulary, ..
+        statements, symbols, ..
     } = goal;
     let mut letters: Vec<Tree> = Vec::new();
     for claim in &statements.claims {
         any_side(claim, &mut |node| {
             let is_letter = match node {
-                Tree::Symbol(name, _) => vocabulary.running.as_ref() != Some(name),
-                Tree::Call(name, ..) => vocabulary.is_function(name) || vocabulary.is_in_flight(name),
+                Tree::Symbol(name, _) => symbols.running() != Some(name),
+                Tree::Call(name, ..) => symbols.is_function(name) || symbols.is_in_flight(name),
                 _ => false,
             };
             if is_letter && letters.len() < MOST && !letters.contains(node) {
@@ -43,12 +40,7 @@ pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
         let slopes = premises.iter().filter_map(|premise| {
             let whole = difference(premise.equation.left.clone(), premise.equation.right.clone());
             let of = with_part(&whole, letter, &symbol(&name));
-            let slope = By {
-                vocabulary,
-                name: &name,
-            }
-            .of(&of)
-            .ok()?;
+            let slope = By { symbols, name: &name }.of(&of).ok()?;
             let slope = with_part(&slope, &symbol(&name), letter);
             (!is_zero(&slope)).then(|| (premise.label.clone(), slope))
         });
@@ -56,8 +48,8 @@ pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
         if slopes.iter().all(|(_, slope)| number_of(slope).is_none()) {
             // no divisor: what contains the letter, what is 0 at some times of a law, derivatives of unknown functions
             let is_divisor = |slope: &Tree| {
-                !runs(slope, vocabulary)
-                    && !has_derivative(slope, letter, vocabulary)
+                !runs(slope, symbols)
+                    && !has_derivative(slope, letter, symbols)
                     && !any(slope, &mut |part| part == letter)
             };
             found.extend(slopes.into_iter().filter(|(_, slope)| is_divisor(slope)));
@@ -79,21 +71,19 @@ fn is_divided(equation: &Equation) -> bool {
 }
 
 /// Returns true if the running time stands in a tree otherwise than as the argument of an unknown function.
-fn runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+fn runs(tree: &Tree, symbols: &Symbols) -> bool {
     match tree {
-        Tree::Symbol(name, _) => vocabulary.running.as_ref() == Some(name),
-        Tree::Call(name, ..) if vocabulary.is_function(name) || vocabulary.is_in_flight(name) => false,
-        tree => tree
-            .find_below(&mut |part| runs(part, vocabulary).then_some(()))
-            .is_some(),
+        Tree::Symbol(name, _) => symbols.running() == Some(name),
+        Tree::Call(name, ..) if symbols.is_function(name) || symbols.is_in_flight(name) => false,
+        tree => tree.find_below(&mut |part| runs(part, symbols).then_some(())).is_some(),
     }
 }
 
 /// Returns true if an unknown function is taken at a letter by which a slope is.
-fn has_derivative(slope: &Tree, letter: &Tree, vocabulary: &Vocabulary) -> bool {
+fn has_derivative(slope: &Tree, letter: &Tree, symbols: &Symbols) -> bool {
     any(slope, &mut |node| match node {
         Tree::Call(name, argument, _) => {
-            (vocabulary.is_function(name) || vocabulary.is_in_flight(name))
+            (symbols.is_function(name) || symbols.is_in_flight(name))
                 && node != letter
                 && any(argument, &mut |part| part == letter)
         }

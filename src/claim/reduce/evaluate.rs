@@ -1,24 +1,23 @@
 //! Operations whose value is written out at once: matrices, derivatives, sums and products of known length.
 
-use super::super::nodes::{any, nodes_of};
 use super::super::premise::Statements;
-use super::super::substitute::{number_of, rewrite};
-use super::super::vocabulary::{Vocabulary, index_of};
 use super::Rule;
 use super::build::{integer, sum, symbol};
 use super::derivative::By;
 use super::factorial;
 use super::integers::{integers, whole};
 use super::matrix::{self, Value};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
+use crate::tex::{
+    Condition, Equation, Name, Operation, Relation, Series, Symbols, Tree, any, index_of, nodes_of, number_of, rewrite,
+};
 
 /// The most terms of a sum that is written out, and the largest tree.
 const MOST_TERMS: i64 = 200;
 const LARGEST: usize = 400_000;
 
 /// The statements with every operation written out.
-pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
-    let WithFactorials { statements: out, .. } = but_factorials(statements, vocabulary)?;
+pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<Statements, String> {
+    let WithFactorials { statements: out, .. } = but_factorials(statements, symbols)?;
     match super::trees(&out).into_iter().any(factorial::stands_in) {
         true => Err("the factorial of a symbol".to_owned()),
         false => Ok(out),
@@ -33,13 +32,13 @@ pub(super) struct WithFactorials {
 }
 
 /// The statements with every operation written out but factorials of symbols.
-pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<WithFactorials, String> {
+pub(super) fn but_factorials(statements: &Statements, symbols: &Symbols) -> Result<WithFactorials, String> {
     let mut out = statements.clone();
     for tree in super::trees(statements) {
         any(tree, &mut |node| {
             out.rules.extend(match node {
                 Tree::Operation(operation, _) => Rule::of_operation(operation),
-                Tree::RealPower(_, exponent, _) => vocabulary.transposes(exponent).then_some(Rule::MatrixEntries),
+                Tree::RealPower(_, exponent, _) => symbols.transposes(exponent).then_some(Rule::MatrixEntries),
                 node => factorial::is_one(node).then_some(Rule::FactorialRecurrence),
             });
             false
@@ -50,7 +49,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
     out.premises.clear();
     let mut size = 0;
     for claim in &statements.claims {
-        let mut over = Over::new(statements, vocabulary);
+        let mut over = Over::new(statements, symbols);
         let claims = over.equation(claim)?;
         out.claims.extend(claims);
         needed.append(&mut over.needed);
@@ -59,7 +58,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
             .extend(beside.map(|tree| Equation::between(tree.clone(), tree)));
     }
     for premise in &statements.premises {
-        let mut over = Over::new(statements, vocabulary);
+        let mut over = Over::new(statements, symbols);
         let equations = over.equation(&premise.equation)?;
         needed.append(&mut over.needed);
         let beside = over.beside.into_iter();
@@ -71,7 +70,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
         }
     }
     for condition in &mut out.assume {
-        let mut over = Over::new(statements, vocabulary);
+        let mut over = Over::new(statements, symbols);
         if let Condition::Relation(relation) = condition {
             let mut relations = over.equation(relation)?;
             needed.append(&mut over.needed);
@@ -97,8 +96,8 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
 ///
 /// # Errors
 /// What is not written out, and the condition of a binomial coefficient.
-pub(super) fn only_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
-    let WithFactorials { statements, needed } = but_factorials(statements, vocabulary)?;
+pub(super) fn only_factorials(statements: &Statements, symbols: &Symbols) -> Result<Statements, String> {
+    let WithFactorials { statements, needed } = but_factorials(statements, symbols)?;
     match needed.first() {
         Some(condition) => Err(format!("a binomial coefficient where {condition} is to be shown")),
         None => Ok(statements),
@@ -108,7 +107,7 @@ pub(super) fn only_factorials(statements: &Statements, vocabulary: &Vocabulary) 
 /// One equation in the midst of being written out.
 struct Over<'a> {
     statements: &'a Statements,
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     /// What must have a value, beside what is left: what was differentiated, entries of matrices.
     beside: Vec<Tree>,
     /// What must hold for what is written.
@@ -116,10 +115,10 @@ struct Over<'a> {
 }
 
 impl<'a> Over<'a> {
-    fn new(statements: &'a Statements, vocabulary: &'a Vocabulary) -> Self {
+    fn new(statements: &'a Statements, symbols: &'a Symbols) -> Self {
         Self {
             statements,
-            vocabulary,
+            symbols,
             beside: Vec::new(),
             needed: Vec::new(),
         }
@@ -172,7 +171,7 @@ impl<'a> Over<'a> {
     fn binomial(&mut self, of: &Tree, chosen: &Tree) -> Result<Tree, String> {
         let written = factorial::binomial(of, chosen)?;
         if whole(chosen).is_none() {
-            let integers = integers(self.statements, self.vocabulary);
+            let integers = integers(self.statements, self.symbols);
             if !factorial::is_linear_in(of, &integers) {
                 return Err(format!("a binomial coefficient of {of} over a symbol"));
             }
@@ -241,7 +240,7 @@ impl<'a> Over<'a> {
                 Value::Matrix(rows) => return Ok(Value::Matrix(matrix::raised(&rows, *exponent)?)),
             },
             Tree::RealPower(base, exponent, at) => match self.value(base)? {
-                Value::Matrix(rows) if self.vocabulary.transposes(exponent) => {
+                Value::Matrix(rows) if self.symbols.transposes(exponent) => {
                     return Ok(Value::Matrix(matrix::transposed(&rows)));
                 }
                 Value::Matrix(rows) => {
@@ -250,7 +249,7 @@ impl<'a> Over<'a> {
                     let exponent = exponent.ok_or("a symbolic power of a matrix")?;
                     return Ok(Value::Matrix(matrix::raised(&rows, exponent)?));
                 }
-                Value::Number(_) if self.vocabulary.transposes(exponent) => {
+                Value::Number(_) if self.symbols.transposes(exponent) => {
                     return Err(format!("the transpose of a number, or an unknown symbol `{exponent}`"));
                 }
                 Value::Number(base) => Tree::RealPower(Box::new(base), self.boxed(exponent)?, *at),
@@ -308,7 +307,7 @@ impl<'a> Over<'a> {
                 from,
                 to,
             } => {
-                if super::is_spoken_of(self.statements, self.vocabulary, index) {
+                if super::is_spoken_of(self.statements, self.symbols, index) {
                     return Err(format!("premises speak of `{index}`, which the sum is over"));
                 }
                 let (Some(from), Some(to)) = (whole(from), whole(to)) else {
@@ -344,40 +343,40 @@ impl<'a> Over<'a> {
 
     /// Whether complex numbers may stand in a matrix.
     fn is_complex_in(&self, rows: &[Vec<Tree>]) -> bool {
-        rows.iter().flatten().any(|entry| self.vocabulary.may_be_complex(entry))
+        rows.iter().flatten().any(|entry| self.symbols.may_be_complex(entry))
     }
 
     /// Whether complex numbers may take part.
     fn is_complex(&self) -> bool {
         super::trees(self.statements)
             .into_iter()
-            .any(|tree| self.vocabulary.may_be_complex(tree))
+            .any(|tree| self.symbols.may_be_complex(tree))
     }
 
     fn derivative(&mut self, of: &Tree, by: &Name, order: u32, at: &Tree) -> Result<Value, String> {
-        let vocabulary = self.vocabulary;
+        let symbols = self.symbols;
         let of = self.value(of)?;
-        let runs = vocabulary.running.as_ref() == Some(by);
-        super::is_continuous(self.statements, vocabulary, by)?;
-        if !runs && super::is_spoken_of(self.statements, vocabulary, by) {
+        let runs = symbols.running() == Some(by);
+        super::is_continuous(self.statements, symbols, by)?;
+        if !runs && super::is_spoken_of(self.statements, symbols, by) {
             return Err(format!(
                 "premises speak of `{by}`: what depends on it there is not differentiated; write it out, or let `{by}` run"
             ));
         }
-        if vocabulary.is_indexed(by) || vocabulary.is_index_letter(by) {
+        if symbols.is_indexed(by) || symbols.is_index_letter(by) {
             return Err(format!(
                 "a derivative by `{by}` is written \\frac{{\\partial a}}{{\\partial b}}"
             ));
         }
         let mut each = |tree: &Tree| -> Result<Tree, String> {
-            let slope = By { vocabulary, name: by }.of_order(tree, order)?;
+            let slope = By { symbols, name: by }.of_order(tree, order)?;
             let there = |tree: Tree| match at {
                 Tree::Symbol(name, _) if name == by => tree,
                 at => rewrite(&tree, &|name| (name == by).then(|| at.clone())),
             };
             // a derivative exists where that of each order before it does
             for before in 0..order {
-                let before = By { vocabulary, name: by }.of_order(tree, before)?;
+                let before = By { symbols, name: by }.of_order(tree, before)?;
                 self.beside.push(there(before));
             }
             Ok(there(slope))

@@ -3,11 +3,10 @@
 //!
 //! Nothing rests on what is found: it is shown to be an antiderivative.
 
-use super::super::substitute::number_of;
 use super::build::{call, integer, negative, power, product, quotient, sum, symbol};
 use super::derivative::mentions;
 use crate::number::{Field, Rational};
-use crate::tex::{Name, Tree};
+use crate::tex::{Name, Tree, number_of};
 
 /// The most terms, the highest power of x, and the highest beside both an exponential and a wave.
 const MOST: usize = 120;
@@ -383,16 +382,15 @@ fn gathered(terms: Vec<Term>) -> Option<Vec<Term>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::symbols::Symbols;
-    use super::super::super::vocabulary::Vocabulary;
+    use super::super::super::symbols::RawSymbols;
     use super::super::antiderivative::antiderivative;
     use super::super::build::plain;
     use crate::tex::{Names, read_expression};
 
     fn found(tex: &str) -> Option<String> {
         let tree = read_expression(tex, &Names::default()).unwrap();
-        let vocabulary = Vocabulary::read(&Symbols::default()).unwrap();
-        antiderivative(&tree, &plain("x"), &vocabulary).map(|whole| whole.to_string())
+        let symbols = RawSymbols::default().read().unwrap();
+        antiderivative(&tree, &plain("x"), &symbols).map(|whole| whole.to_string())
     }
 
     #[test]

@@ -1,15 +1,12 @@
 //! Factorials and binomial coefficients: of numbers their values, of letters positive quantities of which n! = n (n - 1)! is
 //! known.
 
-use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::{mapped, number_of};
-use super::super::vocabulary::Vocabulary;
 use super::build::{call, difference, integer, product, quotient, real_power, sum, symbol};
 use super::integers::whole;
 use super::{Rule, fresh, rewritten, trees};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Relation, Tree};
+use crate::tex::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, number_of};
 use std::collections::BTreeMap;
 
 pub(super) const FACTORIAL: &str = "\\factorial";
@@ -164,11 +161,8 @@ fn simple(tree: &Tree) -> Tree {
     })
 }
 
-/// The statements with factorials as positive quantities, which is enough to prove them; and the vocabulary with these.
-pub(super) fn as_quantities(
-    statements: &Statements,
-    vocabulary: &Vocabulary,
-) -> Result<(Statements, Vocabulary), String> {
+/// The statements with factorials as positive quantities, which is enough to prove them; and the symbol table with these.
+pub(super) fn as_quantities(statements: &Statements, symbols: &Symbols) -> Result<(Statements, Symbols), String> {
     let statements = rewritten(statements, Rule::FactorialRecurrence, &|tree| simple(tree));
     let mut groups: BTreeMap<BTreeMap<Name, i64>, Vec<i64>> = BTreeMap::new();
     let mut unknown = None;
@@ -191,13 +185,13 @@ pub(super) fn as_quantities(
     if let Some(unknown) = unknown {
         return Err(format!("the factorial of {unknown}"));
     }
-    let mut vocabulary = vocabulary.clone();
+    let mut symbols = symbols.clone();
     let mut quantities: BTreeMap<BTreeMap<Name, i64>, (i64, Name)> = BTreeMap::new();
     let mut out = statements.clone();
     for (letters, constants) in groups {
         let least = constants.into_iter().min().unwrap_or_default();
-        let name = fresh(&statements, &vocabulary, "N");
-        vocabulary.let_be_parameter(&name, true);
+        let name = fresh(&statements, &symbols, "N");
+        symbols.let_be_parameter(&name, true);
         let condition = Equation {
             relation: Relation::GreaterOrEqual,
             ..Equation::between(tree_of(&(letters.clone(), least)), integer(0))
@@ -226,7 +220,7 @@ pub(super) fn as_quantities(
     let out = rewritten(&out, Rule::FactorialRecurrence, &|tree| mapped(tree, &written));
     match trees(&out).into_iter().any(stands_in) {
         true => Err("the factorial of what is no natural number".to_owned()),
-        false => Ok((out, vocabulary)),
+        false => Ok((out, symbols)),
     }
 }
 
@@ -246,7 +240,7 @@ pub(super) fn is_linear_in(tree: &Tree, letters: &[Name]) -> bool {
 }
 
 /// Whether a tree is such with letters that are integers.
-pub(super) fn is_integer(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+pub(super) fn is_integer(tree: &Tree, symbols: &Symbols) -> bool {
     let letters = linear(tree).map(|(letters, _)| letters);
-    letters.is_some_and(|letters| letters.keys().all(|name| vocabulary.integers.contains(name)))
+    letters.is_some_and(|letters| letters.keys().all(|name| symbols.is_integer(name)))
 }

@@ -1,16 +1,16 @@
 //! Sums and products of symbolic length by induction over an integer: the first value, the step, and that everything
 //! has a value at each.
 
-use super::super::nodes::{any, any_side, holds};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{mapped, rewrite};
-use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{WithFactorials, but_factorials};
 use super::integers::{free_integers, whole};
 use super::{Goal, Rule, defined, factorial, fresh, instances, rewritten, telescope};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
+use crate::tex::{
+    Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, any_side, holds, index_of,
+    mapped, rewrite, subscript_of,
+};
 
 /// A sum or product whose limits move with the integer.
 pub(super) struct Moving {
@@ -28,10 +28,10 @@ pub(super) struct Moving {
 ///
 /// # Errors
 /// Why there is no induction.
-pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Goal>, String> {
+pub(super) fn goals(statements: &Statements, symbols: &Symbols) -> Result<Vec<Goal>, String> {
     let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
     if !statements.claims.iter().any(|claim| holds(claim, &is_series)) {
-        return with_factorials(statements, vocabulary, String::new());
+        return with_factorials(statements, symbols, String::new());
     }
     if statements
         .premises
@@ -42,14 +42,14 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
     }
     if super::trees(statements)
         .into_iter()
-        .any(|tree| vocabulary.may_be_complex(tree))
+        .any(|tree| symbols.may_be_complex(tree))
     {
         return Err("sums of complex numbers have no induction here".to_owned());
     }
-    let letters = free_integers(statements, vocabulary);
+    let letters = free_integers(statements, symbols);
     let mut reason = "the length of a sum is no integer".to_owned();
     for letter in &letters {
-        match over(statements, vocabulary, letter) {
+        match over(statements, symbols, letter) {
             Ok(goals) => return Ok(goals),
             Err(why) => reason = why,
         }
@@ -59,11 +59,11 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
 
 /// The goal with factorials as quantities, and one for each condition of a binomial coefficient: that is decided without what
 /// factorials say of their arguments.
-fn with_factorials(statements: &Statements, vocabulary: &Vocabulary, part: String) -> Result<Vec<Goal>, String> {
+fn with_factorials(statements: &Statements, symbols: &Symbols, part: String) -> Result<Vec<Goal>, String> {
     let WithFactorials {
         statements: written,
         needed,
-    } = but_factorials(statements, vocabulary)?;
+    } = but_factorials(statements, symbols)?;
     let mut goals = Vec::new();
     for condition in needed {
         let mut alone = written.clone();
@@ -78,21 +78,21 @@ fn with_factorials(statements: &Statements, vocabulary: &Vocabulary, part: Strin
             "" => condition.to_string(),
             part => format!("{part}: {condition}"),
         };
-        goals.push(Goal::of(&alone, vocabulary, part));
+        goals.push(Goal::of(&alone, symbols, part));
     }
-    let (quantities, vocabulary) = factorial::as_quantities(&written, vocabulary)?;
-    goals.push(Goal::of(&quantities, &vocabulary, part));
+    let (quantities, symbols) = factorial::as_quantities(&written, symbols)?;
+    goals.push(Goal::of(&quantities, &symbols, part));
     Ok(goals)
 }
 
-fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<Vec<Goal>, String> {
+fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec<Goal>, String> {
     let statements = &statements.clone().by(Rule::SeriesInduction);
-    let first = first_value(&statements.assume, vocabulary, letter)?;
+    let first = first_value(&statements.assume, symbols, letter)?;
     let first = first.ok_or_else(|| format!("{letter} has no lower bound"))?;
-    if super::is_spoken_of(statements, vocabulary, letter) {
+    if super::is_spoken_of(statements, symbols, letter) {
         return Err(format!("premises speak of {letter}"));
     }
-    let mut vocabulary = vocabulary.clone();
+    let mut symbols = symbols.clone();
     let mut moving: Vec<Moving> = Vec::new();
     let mut found: Vec<Operation> = Vec::new();
     for claim in &statements.claims {
@@ -103,17 +103,17 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     // what is known of sums whose terms depend on the letter, and over which numbers the terms are
     let (mut telescoped, mut over_terms) = (Vec::new(), Vec::new());
     for operation in found {
-        let name = fresh(statements, &vocabulary, "S");
-        vocabulary.let_be_parameter(&name, false);
+        let name = fresh(statements, &symbols, "S");
+        symbols.let_be_parameter(&name, false);
         let Some(sum) = telescope::Sum::read(&operation, letter) else {
             moving.push(moved(&operation, letter, first, name, None)?);
             continue;
         };
-        let next = fresh(statements, &vocabulary, "S");
-        vocabulary.let_be_parameter(&next, false);
-        let index = fresh(statements, &vocabulary, "k");
-        vocabulary.let_be_parameter(&index, false);
-        vocabulary.integers.push(index.clone());
+        let next = fresh(statements, &symbols, "S");
+        symbols.let_be_parameter(&next, false);
+        let index = fresh(statements, &symbols, "k");
+        symbols.let_be_parameter(&index, false);
+        symbols.declare(index.clone(), Meaning::Integer);
         let of = rewrite(sum.of, &|name| (name == sum.index).then(|| symbol(&index)));
         let sum = telescope::Sum {
             of: &of,
@@ -173,13 +173,13 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         }));
     }
     for base in bases {
-        let at_base = instances::at(statements, &vocabulary, &[(letter, base)]);
+        let at_base = instances::at(statements, &symbols, &[(letter, base)]);
         let at_base = at_base.ok_or("the first value is not admissible")?;
-        goals.extend(with_factorials(&at_base, &vocabulary, format!("{letter} = {base}"))?);
+        goals.extend(with_factorials(&at_base, &symbols, format!("{letter} = {base}"))?);
     }
     goals.extend(with_factorials(
         &next,
-        &vocabulary,
+        &symbols,
         format!("the step from {letter} to {letter} + 1"),
     )?);
     for (index, from, to, of, equation) in over_terms {
@@ -192,7 +192,7 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         };
         terms.assume.push(bound(Relation::GreaterOrEqual, integer(from)));
         terms.assume.push(bound(Relation::LessOrEqual, to));
-        let conditions = defined::conditions(&of, &vocabulary)?;
+        let conditions = defined::conditions(&of, &symbols)?;
         let conditions = conditions.into_iter().filter(|condition| {
             let sides = [&condition.left, &condition.right];
             sides
@@ -201,22 +201,18 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         });
         for claim in conditions.chain([equation]) {
             terms.claims = vec![claim.clone()];
-            goals.extend(with_factorials(
-                &terms,
-                &vocabulary,
-                format!("{claim} at each {index}"),
-            )?);
+            goals.extend(with_factorials(&terms, &symbols, format!("{claim} at each {index}"))?);
         }
     }
     // where the claim has no value at one integer, no step leads over it
     let mut needed: Vec<Equation> = Vec::new();
     for claim in &now.claims {
         for side in [&claim.left, &claim.right] {
-            needed.extend(defined::conditions(side, &vocabulary)?);
+            needed.extend(defined::conditions(side, &symbols)?);
         }
     }
     for removed in moving.iter().flat_map(|moving| &moving.removed) {
-        needed.extend(defined::conditions(removed, &vocabulary)?);
+        needed.extend(defined::conditions(removed, &symbols)?);
     }
     needed.retain(|condition| mentions(&condition.left, letter));
     needed.dedup();
@@ -225,7 +221,7 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         alone.claims = vec![condition.clone()];
         goals.extend(with_factorials(
             &alone,
-            &vocabulary,
+            &symbols,
             format!("{condition} at each {letter}"),
         )?);
     }
@@ -236,12 +232,12 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
 ///
 /// # Errors
 /// The condition that is none.
-pub(super) fn first_value(assume: &[Condition], vocabulary: &Vocabulary, letter: &Name) -> Result<Option<i64>, String> {
+pub(super) fn first_value(assume: &[Condition], symbols: &Symbols, letter: &Name) -> Result<Option<i64>, String> {
     let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == letter);
-    let listed = [(&vocabulary.positive, 1), (&vocabulary.nonnegative, 0)];
+    let listed = [(symbols.is_positive(letter), 1), (symbols.is_nonnegative(letter), 0)];
     let bounds = listed
         .into_iter()
-        .filter(|(list, _)| list.contains(letter))
+        .filter(|(is_listed, _)| *is_listed)
         .map(|(_, bound)| bound);
     let mut all: Vec<i64> = bounds.collect();
     for condition in assume {

@@ -6,16 +6,15 @@
 //! (Whittaker and Watson, A Course of Modern Analysis, section 5.4); likewise below c with alternating signs. A function
 //! that is concave on an interval is at least the smaller of its values at the ends.
 
-use super::super::nodes::{any, nodes_of};
 use super::super::premise::Statements;
-use super::super::substitute::{mapped, number_of, rewrite};
-use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, negative, product, sum, symbol};
 use super::derivative::{By, mentions};
 use super::series::{guess_at, seed};
 use super::{Goal, Rule, defined, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Elementary, Equation, Name, Parity, Relation, Tree};
+use crate::tex::{
+    Condition, Elementary, Equation, Name, Parity, Relation, Symbols, Tree, any, mapped, nodes_of, number_of, rewrite,
+};
 
 /// The highest derivative, the largest in nodes, and the most ways that are tried.
 const HIGHEST: usize = 6;
@@ -43,25 +42,25 @@ struct Positive {
 }
 
 /// Ways to prove each claim, each a list of goals that are enough together; empty where none is of this kind.
-pub fn ways(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Vec<Vec<Goal>>> {
-    let Ok(written) = written_out(statements, vocabulary) else {
+pub fn ways(statements: &Statements, symbols: &Symbols) -> Vec<Vec<Vec<Goal>>> {
+    let Ok(written) = written_out(statements, symbols) else {
         return Vec::new();
     };
-    let is_other = |tree: &Tree| vocabulary.may_be_complex(tree) || has_operation(tree, vocabulary);
+    let is_other = |tree: &Tree| symbols.may_be_complex(tree) || has_operation(tree, symbols);
     if trees(&written).into_iter().any(is_other) {
         return Vec::new();
     }
-    let letters = letters(&written, vocabulary);
+    let letters = letters(&written, symbols);
     let alone = |claim: Equation, part: String| {
         let mut alone = written.clone();
         alone.claims = vec![claim];
-        Goal::of(&alone, vocabulary, part)
+        Goal::of(&alone, symbols, part)
     };
     let mut is_any = false;
     let of_claim = |claim: &Equation| {
-        let mut own = ranges::ways(&written, vocabulary, claim);
+        let mut own = ranges::ways(&written, symbols, claim);
         if let Some(positive) = positive(claim) {
-            let ways = |letter| in_letter(&written, vocabulary, &positive, letter, &letters);
+            let ways = |letter| in_letter(&written, symbols, &positive, letter, &letters);
             own.extend(letters.iter().flat_map(ways).take(MOST_WAYS));
         }
         // what is given must hold somewhere, all of it together
@@ -82,18 +81,18 @@ pub fn ways(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Vec<Vec<Goa
 }
 
 /// The letters by which a claim may be differentiated.
-fn letters(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
-    let integers = super::integers::integers(statements, vocabulary);
+fn letters(statements: &Statements, symbols: &Symbols) -> Vec<Name> {
+    let integers = super::integers::integers(statements, symbols);
     let is_met = |name: &Name| {
         let mut sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
         sides.any(|side| mentions(side, name))
     };
     let is_plain = |name: &&Name| {
-        let is_number = !integers.contains(name) && !vocabulary.integers.contains(name);
-        let is_alone = vocabulary.is_single(name) && vocabulary.running.as_ref() != Some(name);
-        is_number && is_alone && is_met(name) && !is_spoken_of(statements, vocabulary, name)
+        let is_number = !integers.contains(name) && !symbols.is_integer(name);
+        let is_alone = symbols.is_single(name) && symbols.running() != Some(name);
+        is_number && is_alone && is_met(name) && !is_spoken_of(statements, symbols, name)
     };
-    vocabulary.parameters.iter().filter(is_plain).cloned().collect()
+    symbols.parameters().filter(is_plain).cloned().collect()
 }
 
 fn positive(claim: &Equation) -> Option<Positive> {
@@ -109,21 +108,21 @@ fn positive(claim: &Equation) -> Option<Positive> {
 }
 
 impl Range {
-    fn of(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Self {
+    fn of(statements: &Statements, symbols: &Symbols, letter: &Name) -> Self {
         let mut bounds = Vec::new();
         let mut excluded = Vec::new();
         let lists = [
-            (&vocabulary.positive, Relation::Greater, 0),
-            (&vocabulary.nonnegative, Relation::GreaterOrEqual, 0),
-            (&vocabulary.at_most_one, Relation::Greater, 0),
-            (&vocabulary.at_most_one, Relation::LessOrEqual, 1),
+            (symbols.is_positive(letter), Relation::Greater, 0),
+            (symbols.is_nonnegative(letter), Relation::GreaterOrEqual, 0),
+            (symbols.is_at_most_one(letter), Relation::Greater, 0),
+            (symbols.is_at_most_one(letter), Relation::LessOrEqual, 1),
         ];
-        for (list, relation, bound) in lists {
-            if list.contains(letter) {
+        for (is_listed, relation, bound) in lists {
+            if is_listed {
                 bounds.push((relation, integer(bound)));
             }
         }
-        if vocabulary.nonzero.contains(letter) {
+        if symbols.is_nonzero(letter) {
             excluded.push(integer(0));
         }
         let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == letter);
@@ -209,7 +208,7 @@ impl Range {
 struct Question<'a> {
     /// What is given that does not speak of the letter.
     given: &'a Statements,
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     range: &'a Range,
     /// The letter that stands for the numbers between a point and the letter of the claim.
     between: &'a Name,
@@ -222,23 +221,23 @@ struct Question<'a> {
 
 fn in_letter(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     positive: &Positive,
     letter: &Name,
     others: &[Name],
 ) -> Vec<Vec<Goal>> {
     let is_unknown = |node: &Tree| match node {
         Tree::Call(name, argument, _) => {
-            (vocabulary.is_function(name) || vocabulary.is_in_flight(name)) && mentions(argument, letter)
+            (symbols.is_function(name) || symbols.is_in_flight(name)) && mentions(argument, letter)
         }
         _ => false,
     };
     if !mentions(&positive.function, letter) || any(&positive.function, &mut |node| is_unknown(node)) {
         return Vec::new();
     }
-    let range = Range::of(statements, vocabulary, letter).within_domain_of(&positive.function);
-    let between = fresh_like(statements, vocabulary, letter.clone());
-    let mut extended = vocabulary.clone();
+    let range = Range::of(statements, symbols, letter).within_domain_of(&positive.function);
+    let between = fresh_like(statements, symbols, letter.clone());
+    let mut extended = symbols.clone();
     extended.let_be_parameter(&between, false);
     let mut given = statements.clone();
     let is_of_letter = |condition: &Condition| condition.sides().into_iter().any(|side| side.has_free(letter));
@@ -253,7 +252,7 @@ fn in_letter(
         };
         let question = Question {
             given: &given,
-            vocabulary: &extended,
+            symbols: &extended,
             range: &range,
             between: &between,
             is_strict: positive.is_strict,
@@ -269,7 +268,7 @@ fn in_letter(
         if let Some(below) = denominator {
             let mut alone = statements.clone().by(Rule::InequalityDerivatives);
             alone.claims = vec![relation(below, Relation::Greater)];
-            let goal = Goal::of(&alone, vocabulary, "the denominator is positive".to_owned());
+            let goal = Goal::of(&alone, symbols, "the denominator is positive".to_owned());
             ways.iter_mut().for_each(|way| way.push(goal.clone()));
         }
         found.extend(ways);
@@ -322,11 +321,8 @@ fn shift(given: &Statements) -> f64 {
 }
 
 /// The function and its derivatives by the letter, of which `between` is written.
-fn derivatives(function: &Tree, letter: &Name, between: &Name, vocabulary: &Vocabulary) -> Result<Vec<Tree>, String> {
-    let by = By {
-        vocabulary,
-        name: between,
-    };
+fn derivatives(function: &Tree, letter: &Name, between: &Name, symbols: &Symbols) -> Result<Vec<Tree>, String> {
+    let by = By { symbols, name: between };
     let mut all = vec![rewrite(function, &|name| (name == letter).then(|| symbol(between)))];
     while let Some(last) = all.last()
         && all.len() <= HIGHEST
@@ -475,7 +471,7 @@ impl Question<'_> {
             }
         };
         alone.claims = vec![claim];
-        goals.push(Goal::of(&alone, self.vocabulary, part));
+        goals.push(Goal::of(&alone, self.symbols, part));
     }
 
     /// The goals beyond a point: the function and the derivatives below `order` are defined there and not negative at the
@@ -484,7 +480,7 @@ impl Question<'_> {
         let (closed, open) = (self.beyond(point, is_above, true), self.beyond(point, is_above, false));
         let mut met: Vec<Equation> = Vec::new();
         for (n, derivative) in self.derivatives.iter().enumerate().take(order + 1) {
-            for condition in defined::conditions(derivative, self.vocabulary).ok()? {
+            for condition in defined::conditions(derivative, self.symbols).ok()? {
                 if !met.contains(&condition) {
                     let range = if n < order { &closed } else { &open };
                     self.push(DEFINED, condition.clone(), range, goals);
@@ -541,11 +537,11 @@ impl Question<'_> {
             let step = format!("concavity: the larger side less the smaller one at {bound}");
             self.push(&step, relation(self.at(function, bound), kind), &[], &mut goals);
         }
-        for condition in defined::conditions(function, self.vocabulary).ok()? {
+        for condition in defined::conditions(function, self.symbols).ok()? {
             self.push(DEFINED, condition, &closed, &mut goals);
         }
         for derivative in [slope, curvature] {
-            for condition in defined::conditions(derivative, self.vocabulary).ok()? {
+            for condition in defined::conditions(derivative, self.symbols).ok()? {
                 self.push(DEFINED, condition, &open, &mut goals);
             }
         }

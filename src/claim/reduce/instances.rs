@@ -1,17 +1,14 @@
 //! A claim over integers at numbers: what must hold if the claim does.
 
 use super::super::exponents::bases;
-use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::{mapped, number_of, rewrite};
-use super::super::vocabulary::Vocabulary;
 use super::build::integer;
 use super::evaluate::evaluated;
 use super::integers::free_integers;
 use super::integral::by_antiderivatives;
 use super::{Goal, Reduced, Rule, rewritten, trees};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Relation, Tree};
+use crate::tex::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, number_of, rewrite};
 
 /// The highest number that is put in, the most letters, and the most goals.
 const HIGHEST: i64 = 7;
@@ -20,27 +17,27 @@ const MOST_GOALS: usize = 8;
 const MOST_WITH_INTEGRALS: usize = 4;
 
 /// The claim at small numbers for its integers, in all the places where they stand.
-pub(super) fn of(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Goal> {
+pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
     let goal = |instance: &Statements, part: String| {
-        let evaluated = evaluated(instance, vocabulary).ok()?;
+        let evaluated = evaluated(instance, symbols).ok()?;
         if trees(&evaluated).into_iter().any(super::factorial::stands_in) {
             return None;
         }
-        Some(Goal::of(&evaluated, vocabulary, part))
+        Some(Goal::of(&evaluated, symbols, part))
     };
-    first_found(statements, vocabulary, MOST_GOALS, &goal)
+    first_found(statements, symbols, MOST_GOALS, &goal)
 }
 
 /// The claim with integrals at small numbers for its integers; each instance holds where its lemmas do.
-pub(super) fn with_integrals(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
+pub(super) fn with_integrals(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
     let reduced = |instance: &Statements, part: String| {
-        let mut reduced = by_antiderivatives(instance, vocabulary).ok()??;
+        let mut reduced = by_antiderivatives(instance, symbols).ok()??;
         for goal in &mut reduced.sufficient {
             goal.part.clone_from(&part);
         }
         Some(reduced)
     };
-    let all = first_found(statements, vocabulary, MOST_WITH_INTEGRALS, &reduced);
+    let all = first_found(statements, symbols, MOST_WITH_INTEGRALS, &reduced);
     let mut all = all.into_iter();
     let mut together = all.next()?;
     for more in all {
@@ -58,14 +55,14 @@ pub(super) fn with_integrals(statements: &Statements, vocabulary: &Vocabulary) -
 /// What is found at the first numbers for the integers, at most so many.
 fn first_found<T>(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     most: usize,
     found: &dyn Fn(&Statements, String) -> Option<T>,
 ) -> Vec<T> {
-    let letters = free_integers(statements, vocabulary);
+    let letters = free_integers(statements, symbols);
     let mut all = Vec::new();
     let solved = super::cases::solved_for(statements);
-    let is_kept = |letter: &Name| super::stands_in_symbols(vocabulary, letter) || solved.contains(letter);
+    let is_kept = |letter: &Name| super::stands_in_symbols(symbols, letter) || solved.contains(letter);
     if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(is_kept) {
         return all;
     }
@@ -75,7 +72,7 @@ fn first_found<T>(
                 return all;
             }
             let pairs: Vec<(&Name, i64)> = letters.iter().zip(values).collect();
-            if let Some(instance) = at(statements, vocabulary, &pairs) {
+            if let Some(instance) = at(statements, symbols, &pairs) {
                 let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
                 all.extend(found(&instance, part.join(", ")));
             }
@@ -104,12 +101,12 @@ fn tuples(length: usize, total: i64) -> Vec<Vec<i64>> {
 }
 
 /// The statements with numbers for letters; `None` where these are not admissible.
-pub(super) fn at(statements: &Statements, vocabulary: &Vocabulary, pairs: &[(&Name, i64)]) -> Option<Statements> {
+pub(super) fn at(statements: &Statements, symbols: &Symbols, pairs: &[(&Name, i64)]) -> Option<Statements> {
     let excluded = |name: &Name, value: i64| {
-        (value <= 0 && (vocabulary.positive.contains(name) || vocabulary.at_most_one.contains(name)))
-            || (value < 0 && vocabulary.nonnegative.contains(name))
-            || (value == 0 && vocabulary.nonzero.contains(name))
-            || (value > 1 && vocabulary.at_most_one.contains(name))
+        (value <= 0 && (symbols.is_positive(name) || symbols.is_at_most_one(name)))
+            || (value < 0 && symbols.is_nonnegative(name))
+            || (value == 0 && symbols.is_nonzero(name))
+            || (value > 1 && symbols.is_at_most_one(name))
     };
     if pairs.iter().any(|(name, value)| excluded(name, *value)) {
         return None;

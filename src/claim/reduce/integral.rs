@@ -1,10 +1,7 @@
 //! Integrals: indefinite ones by differentiation, definite ones by an antiderivative whose own claims are lemmas.
 
 use super::super::definition::CONSTANT_OF_INTEGRATION;
-use super::super::nodes::{any, any_side, holds, holds_indefinite, nodes_of, speaks_of};
 use super::super::premise::Statements;
-use super::super::substitute::{mapped, rewrite};
-use super::super::vocabulary::Vocabulary;
 use super::antiderivative::{antiderivative, quadratic_exponential};
 use super::build::{
     call, difference, infinity, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol,
@@ -13,7 +10,10 @@ use super::derivative::By;
 use super::evaluate::evaluated;
 use super::limit::{as_goals, of_limit};
 use super::{Goal, Reduced, Rule, defined, fresh};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{
+    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, holds_indefinite, mapped,
+    nodes_of, rewrite, speaks_of,
+};
 
 /// The most nodes of an antiderivative.
 const LARGEST: usize = 20_000;
@@ -25,7 +25,7 @@ pub(super) fn is_indefinite(statements: &Statements) -> bool {
 
 /// The claims about indefinite integrals with both sides differentiated: these are equal up to a constant on each
 /// interval exactly where the derivatives are equal.
-pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+pub(super) fn differentiated(statements: &Statements, symbols: &Symbols) -> Result<Statements, String> {
     let mut out = statements.clone().by(Rule::IntegralDifferentiated);
     out.claims.clear();
     for claim in &statements.claims {
@@ -57,12 +57,12 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
                 matches!(condition, Condition::Relation(relation) if relation.relation == Relation::Equal);
             is_equation && condition.sides().into_iter().any(|side| side.has_free(&by))
         };
-        if super::is_spoken_of(statements, vocabulary, &by) || statements.assume.iter().any(pins) {
+        if super::is_spoken_of(statements, symbols, &by) || statements.assume.iter().any(pins) {
             return Err(format!("premises speak of `{by}`, which the integral is by"));
         }
-        super::is_continuous(statements, vocabulary, &by)?;
+        super::is_continuous(statements, symbols, &by)?;
         let constant = plain(CONSTANT_OF_INTEGRATION);
-        let is_free = !vocabulary.knows(&constant);
+        let is_free = !symbols.knows(&constant);
         let mut sides = Vec::new();
         for own in slopes {
             let mut side = Vec::new();
@@ -77,7 +77,7 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
                     }
                     None => {
                         out.claims.push(Equation::between(term.clone(), term.clone()));
-                        By { vocabulary, name: &by }.of(&term)?
+                        By { symbols, name: &by }.of(&term)?
                     }
                 };
                 side.push(if is_negative {
@@ -123,9 +123,9 @@ fn integrand(tree: &Tree) -> Option<(&Tree, &Name)> {
 
 /// The claim with each definite integral replaced by the difference of an antiderivative, which holds where the lemmas
 /// do; `None` where there is no such integral, or no antiderivative is found.
-pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabulary) -> Result<Option<Reduced>, String> {
-    let statements = &gathered(statements, vocabulary)?;
-    let is_complex = |tree: &Tree| vocabulary.may_be_complex(tree);
+pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+    let statements = &gathered(statements, symbols)?;
+    let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
     let is_any_complex = super::trees(statements).into_iter().any(is_complex);
     let (mut found, mut lemmas): (Vec<(Operation, Tree)>, Vec<Goal>) = (Vec::new(), Vec::new());
     for tree in super::trees(statements) {
@@ -136,7 +136,7 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
             if is_any_complex {
                 return Ok(None);
             }
-            let Some((value, needed)) = value_of(&operation, statements, vocabulary)? else {
+            let Some((value, needed)) = value_of(&operation, statements, symbols)? else {
                 return Ok(None);
             };
             lemmas.extend(needed);
@@ -147,7 +147,7 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
         return Ok(None);
     }
     let without = super::rewritten(statements, Rule::IntegralAntiderivative, &|tree| replaced(tree, &found));
-    let goal = Goal::of(&evaluated(&without, vocabulary)?, vocabulary, String::new());
+    let goal = Goal::of(&evaluated(&without, symbols)?, symbols, String::new());
     Ok(Some(Reduced {
         lemmas,
         sufficient: vec![goal],
@@ -192,7 +192,7 @@ fn collect_outermost(tree: &Tree, found: &mut Vec<Operation>) {
 fn value_of(
     operation: &Operation,
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
 ) -> Result<Option<(Tree, Vec<Goal>)>, String> {
     let Operation::Integral {
         of,
@@ -202,13 +202,13 @@ fn value_of(
     else {
         return Ok(None);
     };
-    may_be_bound(statements, vocabulary, by, of)?;
-    let letter = fresh(statements, vocabulary, &by.base);
-    let mut extended = vocabulary.clone();
+    may_be_bound(statements, symbols, by, of)?;
+    let letter = fresh(statements, symbols, &by.base);
+    let mut extended = symbols.clone();
     extended.let_be_parameter(&letter, false);
     let mut definite = Definite {
         statements,
-        vocabulary: &extended,
+        symbols: &extended,
         of: rewrite(of, &|name| (name == by).then(|| symbol(&letter))),
         letter: &letter,
         limits: [low, high],
@@ -225,7 +225,7 @@ fn value_of(
         inner.push((operation, value));
     }
     definite.of = replaced(&definite.of, &inner);
-    if super::has_operation(&definite.of, vocabulary) {
+    if super::has_operation(&definite.of, symbols) {
         return Ok(None);
     }
     let found = definite.value()?;
@@ -237,7 +237,7 @@ fn value_of(
 
 /// The claims with several integrals of unknown functions over one interval as one: parts that have no antiderivative may
 /// have one together. Each exists where all do that the sum is of, for the interval is finite.
-fn gathered(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+fn gathered(statements: &Statements, symbols: &Symbols) -> Result<Statements, String> {
     let mut out = statements.clone();
     let mut is_any = false;
     for claim in &mut out.claims {
@@ -250,7 +250,7 @@ fn gathered(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statemen
         let has_unknown = |of: &Tree| {
             any(
                 of,
-                &mut |node| matches!(node, Tree::Call(name, ..) if vocabulary.is_function(name)),
+                &mut |node| matches!(node, Tree::Call(name, ..) if symbols.is_function(name)),
             )
         };
         let is_one = |term: &Tree| {
@@ -266,13 +266,13 @@ fn gathered(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statemen
             (others.count() > 1).then(|| own.map(Clone::clone))
         });
         let Some([low, high]) = shared else { continue };
-        let letter = fresh(statements, vocabulary, "x");
+        let letter = fresh(statements, symbols, "x");
         let (mut integrands, mut rest) = (Vec::new(), Vec::new());
         for (is_negative, term) in &all {
             let signed = |tree: Tree| if *is_negative { negative(tree) } else { tree };
             match multiple(term).filter(|_| is_one(term)) {
                 Some((factors, of, by, [own_low, own_high])) if *own_low == low && *own_high == high => {
-                    may_be_bound(statements, vocabulary, by, of)?;
+                    may_be_bound(statements, symbols, by, of)?;
                     let of = rewrite(of, &|name| (name == by).then(|| symbol(&letter)));
                     let factors = factors.into_iter().chain([of]).collect();
                     integrands.push(signed(Tree::Product(factors)));
@@ -330,13 +330,13 @@ fn multiple(term: &Tree) -> Option<(Vec<Tree>, &Tree, &Name, [&Tree; 2])> {
 
 /// Refuses an integral by a letter of which premises speak, for other symbols may depend on it there. Laws of functions at
 /// each value of the running symbol say nothing of its other values; no function may be left in the integral then.
-fn may_be_bound(statements: &Statements, vocabulary: &Vocabulary, by: &Name, of: &Tree) -> Result<(), String> {
-    if !super::is_spoken_of(statements, vocabulary, by) {
+fn may_be_bound(statements: &Statements, symbols: &Symbols, by: &Name, of: &Tree) -> Result<(), String> {
+    if !super::is_spoken_of(statements, symbols, by) {
         return Ok(());
     }
     let is_value = |tree: &Tree| match tree {
         Tree::Call(name, ..) | Tree::Symbol(name, _) => {
-            vocabulary.is_in_flight(name) || (vocabulary.is_function(name) && !vocabulary.parameters.contains(name))
+            symbols.is_in_flight(name) || (symbols.is_function(name) && !symbols.is_parameter(name))
         }
         _ => false,
     };
@@ -354,9 +354,9 @@ fn may_be_bound(statements: &Statements, vocabulary: &Vocabulary, by: &Name, of:
         .iter()
         .map(|premise| &premise.equation)
         .filter(|equation| equation.left.has_free(by) || equation.right.has_free(by));
-    let is_allowed = vocabulary.running.as_ref() == Some(by)
-        && !super::is_tied(statements, vocabulary, by)
-        && !super::stands_in_symbols(vocabulary, by)
+    let is_allowed = symbols.running() == Some(by)
+        && !super::is_tied(statements, symbols, by)
+        && !super::stands_in_symbols(symbols, by)
         && spoken.all(is_law)
         && !any(of, &mut |node| is_value(node));
     match is_allowed {
@@ -368,7 +368,7 @@ fn may_be_bound(statements: &Statements, vocabulary: &Vocabulary, by: &Name, of:
 /// One definite integral, perhaps an improper one, which is the limit towards an infinite end.
 struct Definite<'a> {
     statements: &'a Statements,
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     /// What is integrated, without operations.
     of: Tree,
     /// What it is integrated by, which stands for any number of the interval.
@@ -382,11 +382,11 @@ impl Definite<'_> {
         if let Some(found) = self.gaussian()? {
             return Ok(Some(found));
         }
-        let Some(whole) = antiderivative(&self.of, self.letter, self.vocabulary) else {
+        let Some(whole) = antiderivative(&self.of, self.letter, self.symbols) else {
             return Ok(None);
         };
         let slope = By {
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             name: self.letter,
         }
         .of(&whole)?;
@@ -407,8 +407,8 @@ impl Definite<'_> {
                 None => rewrite(&whole, &|name| (name == self.letter).then(|| limit.clone())),
                 Some(_) => {
                     // what does not move in the antiderivative has a value, by the lemmas
-                    let (value, needed, _) = of_limit(self.statements, self.vocabulary, &whole, self.letter, limit)?;
-                    lemmas.extend(as_goals(self.statements, self.vocabulary, needed));
+                    let (value, needed, _) = of_limit(self.statements, self.symbols, &whole, self.letter, limit)?;
+                    lemmas.extend(as_goals(self.statements, self.symbols, needed));
                     value
                 }
             });
@@ -422,7 +422,7 @@ impl Definite<'_> {
     /// of it from 0 on, where b is 0.
     fn gaussian(&self) -> Result<Option<(Tree, Vec<Goal>)>, String> {
         let [low, high] = self.limits;
-        let Some((factor, [constant, linear, square])) = quadratic_exponential(&self.of, self.letter, self.vocabulary)
+        let Some((factor, [constant, linear, square])) = quadratic_exponential(&self.of, self.letter, self.symbols)
         else {
             return Ok(None);
         };
@@ -461,15 +461,15 @@ impl Definite<'_> {
     /// What must hold for trees to have a value at each number of the interval. A function of which nothing speaks is
     /// smooth, and has one everywhere.
     fn conditions(&self, trees: &[&Tree]) -> Result<Vec<Equation>, String> {
-        let is_function = |name: &Name| self.vocabulary.is_function(name) || self.vocabulary.is_in_flight(name);
+        let is_function = |name: &Name| self.symbols.is_function(name) || self.symbols.is_in_flight(name);
         let is_spoken = |node: &Tree| matches!(node, Tree::Call(name, ..) | Tree::Symbol(name, _) if is_function(name));
         let mut premises = self.statements.premises.iter().map(|premise| &premise.equation);
-        let is_open = self.vocabulary.relations.is_empty()
+        let is_open = self.symbols.relations.is_empty()
             && !premises.any(|equation| any_side(equation, &mut |node| is_spoken(node)));
-        let is_smooth = |name: &Name| is_open && self.vocabulary.is_function(name);
+        let is_smooth = |name: &Name| is_open && self.symbols.is_function(name);
         let mut needed = Vec::new();
         for tree in trees {
-            needed.extend(defined::conditions_beside(tree, self.vocabulary, &is_smooth)?);
+            needed.extend(defined::conditions_beside(tree, self.symbols, &is_smooth)?);
         }
         Ok(needed)
     }
@@ -488,7 +488,7 @@ impl Definite<'_> {
             known.push(claim.clone());
             let part = format!("{about}: {claim}");
             alone.claims = vec![claim];
-            lemmas.push(Goal::of(&alone, self.vocabulary, part));
+            lemmas.push(Goal::of(&alone, self.symbols, part));
         }
         Ok(lemmas)
     }

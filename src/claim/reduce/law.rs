@@ -1,12 +1,9 @@
 //! Functions that a premise gives by a formula, at every value of the running symbol: `p(x) = a x^2 + b`, `y = \\cos t`.
 
-use super::super::nodes::{any, any_side, nodes_of};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{mapped, rewrite};
-use super::super::vocabulary::Vocabulary;
 use super::defined;
 use super::derivative::By;
-use crate::tex::{At, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{At, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, mapped, nodes_of, rewrite};
 
 /// The largest formula, and the deepest that laws are put into one another.
 const LARGEST: usize = 20_000;
@@ -31,13 +28,8 @@ fn says(premise: &Premise, function: &Name, running: &Name) -> bool {
 
 /// The formula of a function at an argument, where exactly one premise says what it is; it may hold values of other
 /// functions.
-pub(super) fn value_of(
-    function: &Name,
-    argument: &Tree,
-    statements: &Statements,
-    vocabulary: &Vocabulary,
-) -> Option<Tree> {
-    let running = vocabulary.running.as_ref()?;
+pub(super) fn value_of(function: &Name, argument: &Tree, statements: &Statements, symbols: &Symbols) -> Option<Tree> {
+    let running = symbols.running()?;
     let mut premises = statements.premises.iter();
     let premise = premises.find(|premise| says(premise, function, running))?;
     if premises.any(|premise| says(premise, function, running)) {
@@ -50,7 +42,7 @@ pub(super) fn value_of(
     }
     Some(rewrite(formula, &|name| match name == running {
         true => Some(argument.clone()),
-        false if vocabulary.names.is_function(name) => {
+        false if symbols.names.is_function(name) => {
             Some(Tree::Call(name.clone(), Box::new(argument.clone()), At::default()))
         }
         false => None,
@@ -60,7 +52,7 @@ pub(super) fn value_of(
 /// What laws make of formulas in which the running symbol is bound.
 pub(super) struct Laws<'a> {
     pub statements: &'a Statements,
-    pub vocabulary: &'a Vocabulary,
+    pub symbols: &'a Symbols,
 }
 
 impl Laws<'_> {
@@ -74,7 +66,7 @@ impl Laws<'_> {
                     of,
                     by,
                     limits: Some((low, high)),
-                } if self.vocabulary.running.as_ref() == Some(by) => {
+                } if self.symbols.running() == Some(by) => {
                     let operation = Operation::Integral {
                         of: self.put_in(of, DEEPEST)?,
                         by: by.clone(),
@@ -90,8 +82,8 @@ impl Laws<'_> {
 
     /// The tree with the formula of each function in it that has one; `None` where that is too large.
     fn put_in(&self, tree: &Tree, depth: u32) -> Option<Tree> {
-        let running = self.vocabulary.running.as_ref()?;
-        let is_value = |name: &Name| self.vocabulary.is_function(name) && !self.vocabulary.parameters.contains(name);
+        let running = self.symbols.running()?;
+        let is_value = |name: &Name| self.symbols.is_function(name) && !self.symbols.is_parameter(name);
         let put = mapped(tree, &|node| {
             let there = match node {
                 Tree::Call(name, argument, _) if is_value(name) => self.formula(name, argument),
@@ -109,21 +101,21 @@ impl Laws<'_> {
     }
 
     fn of_order(&self, function: &Name, argument: &Tree, depth: u32) -> Option<Tree> {
-        if let Some(value) = value_of(function, argument, self.statements, self.vocabulary) {
+        if let Some(value) = value_of(function, argument, self.statements, self.symbols) {
             return Some(value);
         }
-        let running = self.vocabulary.running.as_ref()?;
-        let before = self.vocabulary.antiderivative_of(function)?;
+        let running = self.symbols.running()?;
+        let before = self.symbols.antiderivative_of(function)?;
         let here = Tree::Symbol(running.clone(), At::default());
         let value = self.of_order(&before, &here, depth.checked_sub(1)?)?;
         // where the function itself has no formula, its derivative has none either, as that of \\ln t before 0
-        let domain = defined::conditions(&value, self.vocabulary).ok()?;
+        let domain = defined::conditions(&value, self.symbols).ok()?;
         let is_restricted = |condition: &Equation| any_side(condition, &mut |node| *node == here);
         if domain.iter().any(is_restricted) {
             return None;
         }
         let by = By {
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             name: running,
         };
         let slope = by.of(&value).ok()?;

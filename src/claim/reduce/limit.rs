@@ -1,15 +1,12 @@
 //! Limits, and what is of the order of a power, by power series in what tends to 0.
 
-use super::super::nodes::{any, holds};
 use super::super::premise::Statements;
-use super::super::substitute::{mapped, rewrite};
-use super::super::vocabulary::Vocabulary;
 use super::build::{difference, infinity, integer, is_zero, sum};
 use super::derivative::mentions;
 use super::integers::whole;
 use super::series::{Series, Small, is_likely_zero, with_factorials};
 use super::{Goal, Rule, is_spoken_of, rewritten, trees};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, holds, mapped, rewrite};
 
 /// The terms of a series of a limit, and those that are taken beyond an order.
 const TERMS: usize = 10;
@@ -29,7 +26,7 @@ pub(super) fn stands_in(statements: &Statements) -> bool {
 }
 
 /// The statements without limits and orders, and what must hold for these to be what they are.
-pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<(Statements, Vec<Goal>), String> {
+pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(Statements, Vec<Goal>), String> {
     let mut out = rewritten(statements, Rule::BinomialFactorials, &with_factorials);
     let approached = approached(&mut out)?;
     let mut lemmas = Vec::new();
@@ -38,10 +35,10 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
         let Operation::Limit { of, by, to } = &limit else {
             break;
         };
-        let (value, needed, written) = of_limit(&out, vocabulary, of, by, to)?;
+        let (value, needed, written) = of_limit(&out, symbols, of, by, to)?;
         out.claims
             .extend(written.into_iter().map(|tree| Equation::between(tree.clone(), tree)));
-        lemmas.extend(as_goals(&out, vocabulary, needed));
+        lemmas.extend(as_goals(&out, symbols, needed));
         out = rewritten(&out, Rule::LimitSeries, &|tree| {
             mapped(tree, &|node| match node {
                 Tree::Operation(operation, _) if **operation == limit => Some(value.clone()),
@@ -55,11 +52,11 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
             claims.push(claim);
             continue;
         }
-        let approached = approached.clone().or_else(|| implied(&claim, vocabulary));
+        let approached = approached.clone().or_else(|| implied(&claim, symbols));
         let (by, to) = approached.ok_or("what tends to what? write `x \\to 0` as an assumption")?;
-        let (own, needed) = of_order(&out, vocabulary, &claim, &by, &to)?;
+        let (own, needed) = of_order(&out, symbols, &claim, &by, &to)?;
         out = out.by(Rule::OrderSeries);
-        lemmas.extend(as_goals(&out, vocabulary, needed));
+        lemmas.extend(as_goals(&out, symbols, needed));
         claims.extend(own);
     }
     out.claims = claims;
@@ -68,7 +65,7 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
 
 /// What tends to 0 in `a = 1 + x + O(x^2)`: beside an order, lower powers of the same symbol say so, for where it grows
 /// they would be of that order themselves.
-fn implied(claim: &Equation, vocabulary: &Vocabulary) -> Option<(Name, Tree)> {
+fn implied(claim: &Equation, symbols: &Symbols) -> Option<(Name, Tree)> {
     let Tree::Sum(terms) = &claim.right else {
         return None;
     };
@@ -89,11 +86,11 @@ fn implied(claim: &Equation, vocabulary: &Vocabulary) -> Option<(Name, Tree)> {
         _ => return None,
     };
     let is_lower = |term: &&Tree| {
-        let term = rewrite(term, &|name| vocabulary.meaning(name, &|_| false));
+        let term = rewrite(term, &|name| symbols.meaning(name, &|_| false));
         degree_in(&term, &name).is_some_and(|own| own < degree)
     };
     let is_meant = orders.len() == 1 && !lower.is_empty() && lower.iter().all(is_lower);
-    let is_number = vocabulary.parameters.contains(&name) && !vocabulary.integers.contains(&name);
+    let is_number = symbols.is_parameter(&name) && !symbols.is_integer(&name);
     (is_meant && is_number).then_some((name, integer(0)))
 }
 
@@ -151,13 +148,13 @@ fn first_limit(statements: &Statements) -> Option<Operation> {
 }
 
 /// Each condition as a goal of its own: in one statement they would be taken to be defined together.
-pub(super) fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed: Vec<Equation>) -> Vec<Goal> {
+pub(super) fn as_goals(statements: &Statements, symbols: &Symbols, needed: Vec<Equation>) -> Vec<Goal> {
     let goal = |condition: Equation| {
         let mut alone = statements.clone().by(Rule::LimitSeries);
         alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
         let part = format!("the series: {condition}");
         alone.claims = vec![condition];
-        Goal::of(&alone, vocabulary, part)
+        Goal::of(&alone, symbols, part)
     };
     needed.into_iter().map(goal).collect()
 }
@@ -165,20 +162,17 @@ pub(super) fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed:
 /// A series in what tends to 0 when `by` tends to `to`.
 fn small<'a>(
     statements: &Statements,
-    vocabulary: &'a Vocabulary,
+    symbols: &'a Symbols,
     by: &'a Name,
     to: &Tree,
     length: usize,
 ) -> Result<Small<'a>, String> {
-    if is_spoken_of(statements, vocabulary, by) || vocabulary.running.as_ref() == Some(by) {
+    if is_spoken_of(statements, symbols, by) || symbols.running() == Some(by) {
         return Err(format!(
             "premises speak of `{by}`: what depends on it there is not followed"
         ));
     }
-    if trees(statements)
-        .into_iter()
-        .any(|tree| vocabulary.may_be_complex(tree))
-    {
+    if trees(statements).into_iter().any(|tree| symbols.may_be_complex(tree)) {
         return Err("limits of complex numbers are not read".to_owned());
     }
     let (to, side) = match to {
@@ -216,10 +210,10 @@ fn small<'a>(
             )
         })
     };
-    let functions = vocabulary.functions.iter().map(|(name, _)| name);
+    let functions = symbols.functions().map(|(name, _)| name);
     let given = functions.filter(|name| spoken(name)).cloned().collect();
     Ok(Small {
-        vocabulary,
+        symbols,
         given,
         name: by,
         value,
@@ -233,12 +227,12 @@ fn small<'a>(
 /// The limit, what must hold for it to be that, and what does not move in it and must have a value.
 pub(super) fn of_limit(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     of: &Tree,
     by: &Name,
     to: &Tree,
 ) -> Result<(Tree, Vec<Equation>, Vec<Tree>), String> {
-    let of = rewrite(of, &|name| vocabulary.meaning(name, &|_| false));
+    let of = rewrite(of, &|name| symbols.meaning(name, &|_| false));
     let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
     let mut moves = None;
     any(&of, &mut |node| {
@@ -250,7 +244,7 @@ pub(super) fn of_limit(
     if let Some(name) = moves {
         return Err(format!("`{name}` may move with `{by}`"));
     }
-    let mut small = small(statements, vocabulary, by, to, TERMS)?;
+    let mut small = small(statements, symbols, by, to, TERMS)?;
     let series = small.of(&of)?;
     let (mut needed, written) = (small.needed, small.written);
     for exponent in series.low..0 {
@@ -269,7 +263,7 @@ pub(super) fn of_limit(
 /// The claim that both sides differ by what is of an order: each coefficient below it vanishes.
 fn of_order(
     statements: &Statements,
-    vocabulary: &Vocabulary,
+    symbols: &Symbols,
     claim: &Equation,
     by: &Name,
     to: &Tree,
@@ -313,10 +307,10 @@ fn of_order(
     ) {
         return Err("an order within a product or a function".to_owned());
     }
-    let all = rewrite(&all, &|name| vocabulary.meaning(name, &|_| false));
+    let all = rewrite(&all, &|name| symbols.meaning(name, &|_| false));
     let mut least: Option<i32> = None;
     for order in orders {
-        let mut small = small(statements, vocabulary, by, to, 3)?;
+        let mut small = small(statements, symbols, by, to, 3)?;
         let series = small.of(&order)?;
         let mut powers = series.terms.iter().enumerate().filter(|(_, term)| !is_zero(term));
         let (Some((place, term)), None) = (powers.next(), powers.next()) else {
@@ -331,7 +325,7 @@ fn of_order(
     let order = least.filter(|order| (1..=i32::try_from(HIGHEST).unwrap_or(20)).contains(order));
     let order = order.ok_or("an order is a positive power of what tends to 0")?;
     let length = usize::try_from(order).unwrap_or(0) + BEYOND;
-    let mut small = small(statements, vocabulary, by, to, length)?;
+    let mut small = small(statements, symbols, by, to, length)?;
     let series = small.of(&all)?;
     let mut claims = Vec::new();
     for exponent in series.low..order {

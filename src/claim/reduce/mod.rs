@@ -33,16 +33,13 @@ mod telescope;
 mod thin;
 
 use super::definition::{Local, inlined};
-use super::nodes::any;
 use super::premise::Statements;
-use super::substitute::put_in;
-use super::vocabulary::{Map, Vocabulary};
 pub use divisors::divisors;
 pub use inequality::ways as other_ways;
 pub use rule::{Rule, Rules};
 pub use thin::{thin_domains, values};
 
-use crate::tex::{Condition, Equation, Name, Operation, Tree};
+use crate::tex::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, put_in};
 
 /// The most primes of a name that stands for a number in a proof.
 const MOST_PRIMES: u8 = 9;
@@ -51,7 +48,7 @@ const MOST_PRIMES: u8 = 9;
 #[derive(Clone, Debug)]
 pub struct Goal {
     pub statements: Statements,
-    pub vocabulary: Vocabulary,
+    pub symbols: Symbols,
     /// What it is of the claim: the case, the value of an index, a step; empty where it is the claim itself.
     pub part: String,
 }
@@ -85,20 +82,20 @@ impl Reduced {
 }
 
 impl Goal {
-    fn of(statements: &Statements, vocabulary: &Vocabulary, part: String) -> Self {
+    fn of(statements: &Statements, symbols: &Symbols, part: String) -> Self {
         Self {
-            statements: statements.clone().with_overview(vocabulary),
-            vocabulary: vocabulary.clone(),
+            statements: statements.clone().with_overview(symbols),
+            symbols: symbols.clone(),
             part,
         }
     }
 }
 
 /// Whether a tree holds an operation, or a power that is a transpose.
-fn has_operation(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+fn has_operation(tree: &Tree, symbols: &Symbols) -> bool {
     any(tree, &mut |node| match node {
         Tree::Operation(..) => true,
-        Tree::RealPower(_, exponent, _) => vocabulary.transposes(exponent),
+        Tree::RealPower(_, exponent, _) => symbols.transposes(exponent),
         node => factorial::is_one(node) || cases::is_sign(node),
     })
 }
@@ -122,38 +119,35 @@ fn trees(statements: &Statements) -> Vec<&Tree> {
 ///
 /// # Errors
 /// Why an operation has no meaning here, or is not reduced.
-pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Option<Reduced>, String> {
-    if !complex::takes_part(statements, vocabulary) {
-        return without_operations(statements, vocabulary);
+pub fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+    if !complex::takes_part(statements, symbols) {
+        return without_operations(statements, symbols);
     }
-    let written = written_out(statements, vocabulary)?;
-    complex::refuse_inside(&written, vocabulary)?;
-    let reduced = match without_operations(&written, vocabulary)? {
+    let written = written_out(statements, symbols)?;
+    complex::refuse_inside(&written, symbols)?;
+    let reduced = match without_operations(&written, symbols)? {
         Some(reduced) => reduced,
-        None => Reduced::itself(Goal::of(&written, vocabulary, String::new())),
+        None => Reduced::itself(Goal::of(&written, symbols, String::new())),
     };
-    complex::as_real(reduced, vocabulary).map(Some)
+    complex::as_real(reduced, symbols).map(Some)
 }
 
 /// What a claim with operations comes to, of real or of complex numbers.
-fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Result<Option<Reduced>, String> {
-    if !trees(statements)
-        .into_iter()
-        .any(|tree| has_operation(tree, vocabulary))
-    {
+fn without_operations(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+    if !trees(statements).into_iter().any(|tree| has_operation(tree, symbols)) {
         return Ok(None);
     }
-    let written = written_out(statements, vocabulary)?;
-    let (written, mut lemmas) = roots::as_powers(&written, vocabulary)?;
+    let written = written_out(statements, symbols)?;
+    let (written, mut lemmas) = roots::as_powers(&written, symbols)?;
     let laws = law::Laws {
         statements: &written,
-        vocabulary,
+        symbols,
     };
     let mut statements = rewritten(&written, Rule::SignCases, &cases::signs);
     statements = rewritten(&statements, Rule::FunctionFormulas, &|tree| laws.in_integrals(tree));
     let all = trees(&statements);
-    if all.iter().any(|tree| binds_bare_function(tree, vocabulary)) {
-        let running = vocabulary.running.clone().unwrap_or_default();
+    if all.iter().any(|tree| binds_bare_function(tree, symbols)) {
+        let running = symbols.running().cloned().unwrap_or_default();
         return Err(format!(
             "a function without its argument where `{running}` is bound: write it"
         ));
@@ -163,23 +157,23 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
     }
     if limit::stands_in(&statements) {
         let needed;
-        (statements, needed) = limit::evaluated(&statements, vocabulary)?;
+        (statements, needed) = limit::evaluated(&statements, symbols)?;
         lemmas.extend(needed);
     }
     let mut goals = Vec::new();
-    let split = cases::split(&statements, vocabulary)?;
+    let split = cases::split(&statements, symbols)?;
     lemmas.extend(split.lemmas);
     for (part, statements) in split.choices {
-        let by_numbers = evaluate::evaluated(&statements, vocabulary);
+        let by_numbers = evaluate::evaluated(&statements, symbols);
         match by_numbers {
-            Ok(evaluated) => goals.push(Goal::of(&evaluated, vocabulary, part)),
+            Ok(evaluated) => goals.push(Goal::of(&evaluated, symbols, part)),
             Err(_) if integral::is_indefinite(&statements) => {
-                let differentiated = integral::differentiated(&statements, vocabulary)?;
-                let evaluated = evaluate::evaluated(&differentiated, vocabulary)?;
-                goals.push(Goal::of(&evaluated, vocabulary, part));
+                let differentiated = integral::differentiated(&statements, symbols)?;
+                let evaluated = evaluate::evaluated(&differentiated, symbols)?;
+                goals.push(Goal::of(&evaluated, symbols, part));
             }
             Err(reason) if part.is_empty() => {
-                let mut reduced = over_an_index(&statements, vocabulary, reason)?;
+                let mut reduced = over_an_index(&statements, symbols, reason)?;
                 reduced.lemmas.extend(lemmas);
                 return Ok(Some(reduced));
             }
@@ -197,13 +191,13 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
 
 /// What a claim without operations comes to once it is not decided as it stands: the induction along a sequence, the signs
 /// of what stands between bars, and numbers for its integers. `None` where it has none of these.
-pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
-    let written = written_out(statements, vocabulary).ok()?;
-    if let Some(reduced) = along_a_sequence(statements, vocabulary) {
+pub fn reduced_by_cases(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
+    let written = written_out(statements, symbols).ok()?;
+    if let Some(reduced) = along_a_sequence(statements, symbols) {
         return Some(reduced);
     }
-    let necessary = instances::of(&written, vocabulary);
-    let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
+    let necessary = instances::of(&written, symbols);
+    let is_real = !trees(&written).into_iter().any(|tree| symbols.may_be_complex(tree));
     let may_be_split = is_real && (1..=cases::MOST_BARS).contains(&cases::bars(&written));
     let with_cases = may_be_split.then(|| {
         rewritten(
@@ -212,9 +206,9 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
             &cases::absolute_values,
         )
     });
-    let split = with_cases.and_then(|with_cases| cases::split(&with_cases, vocabulary).ok());
+    let split = with_cases.and_then(|with_cases| cases::split(&with_cases, symbols).ok());
     let (choices, lemmas) = split.map_or_else(Default::default, |split| (split.choices, split.lemmas));
-    let goal = |(part, own): (String, Statements)| Goal::of(&own, vocabulary, part);
+    let goal = |(part, own): (String, Statements)| Goal::of(&own, symbols, part);
     let sufficient: Vec<Goal> = choices.into_iter().map(goal).collect();
     let is_any = !(necessary.is_empty() && sufficient.is_empty());
     is_any.then_some(Reduced {
@@ -227,12 +221,12 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
 }
 
 /// What a claim without operations about members of a sequence comes to, by the recurrence that gives it.
-pub fn along_a_sequence(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
-    let written = written_out(statements, vocabulary).ok()?;
-    if !recurrence::is_spoken_of(&written, vocabulary) {
+pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
+    let written = written_out(statements, symbols).ok()?;
+    if !recurrence::is_spoken_of(&written, symbols) {
         return None;
     }
-    let reduced = recurrence::reduced(&written, vocabulary);
+    let reduced = recurrence::reduced(&written, symbols);
     Some(reduced.unwrap_or_else(|reason| Reduced {
         lemmas: Vec::new(),
         sufficient: Vec::new(),
@@ -243,20 +237,20 @@ pub fn along_a_sequence(statements: &Statements, vocabulary: &Vocabulary) -> Opt
 }
 
 /// What a claim with definite integrals, or with sums and products of symbolic length, comes to.
-fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: String) -> Result<Reduced, String> {
-    if let Some(found) = integral::by_antiderivatives(statements, vocabulary)? {
+fn over_an_index(statements: &Statements, symbols: &Symbols, reason: String) -> Result<Reduced, String> {
+    if let Some(found) = integral::by_antiderivatives(statements, symbols)? {
         return Ok(found);
     }
-    if recurrence::is_spoken_of(statements, vocabulary) {
-        return recurrence::reduced(statements, vocabulary);
+    if recurrence::is_spoken_of(statements, symbols) {
+        return recurrence::reduced(statements, symbols);
     }
-    let necessary = instances::of(statements, vocabulary);
-    let (sufficient, why) = match induction::goals(statements, vocabulary) {
+    let necessary = instances::of(statements, symbols);
+    let (sufficient, why) = match induction::goals(statements, symbols) {
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),
     };
     if necessary.is_empty() && sufficient.is_empty() {
-        let found = instances::with_integrals(statements, vocabulary);
+        let found = instances::with_integrals(statements, symbols);
         return found
             .map(|found| Reduced {
                 reason: reason.clone(),
@@ -274,7 +268,7 @@ fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: Strin
 }
 
 /// The statements with all definitions and abbreviations put in; each definition must have a value.
-fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+fn written_out(statements: &Statements, symbols: &Symbols) -> Result<Statements, String> {
     let too_large = || "what is defined is too large once it is put in".to_owned();
     let inline =
         |equation: &Equation, locals: &[Local]| super::definition::inlined_in(equation, locals).ok_or_else(too_large);
@@ -311,7 +305,7 @@ fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<State
     }
     // numbers are put in for letters, and what moves is followed, within abbreviations too
     written = rewritten(&written, Rule::Definitions, &|tree| {
-        put_in(tree, &|name| vocabulary.meaning(name, &|_| false))
+        put_in(tree, &|name| symbols.meaning(name, &|_| false))
     });
     Ok(match written.has_formulas_of(statements) {
         true => written,
@@ -345,11 +339,11 @@ fn rewritten(statements: &Statements, rule: Rule, new: &dyn Fn(&Tree) -> Tree) -
 }
 
 /// Whether a sum, an integral or a limit binds the running symbol of functions that stand in it without their argument.
-fn binds_bare_function(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+fn binds_bare_function(tree: &Tree, symbols: &Symbols) -> bool {
     let is_bare = |node: &Tree| match node {
         Tree::Symbol(name, _) => {
-            let flies = vocabulary.is_in_flight(name) && name.subscript.is_empty();
-            flies || (vocabulary.is_function(name) && !vocabulary.parameters.contains(name))
+            let flies = symbols.is_in_flight(name) && name.subscript.is_empty();
+            flies || (symbols.is_function(name) && !symbols.is_parameter(name))
         }
         _ => false,
     };
@@ -357,7 +351,7 @@ fn binds_bare_function(tree: &Tree, vocabulary: &Vocabulary) -> bool {
         let Tree::Operation(operation, _) = node else {
             return false;
         };
-        let is_over_time = operation.letter().is_some() && operation.letter() == vocabulary.running.as_ref();
+        let is_over_time = operation.letter().is_some() && operation.letter() == symbols.running();
         let is_derivative = matches!(**operation, Operation::Derivative { order: 1.., .. });
         let parts = operation.parts().into_iter().filter(|(_, is_bound)| *is_bound);
         let mut parts = parts.filter(|_| is_over_time && !is_derivative && !is_antiderivative(operation));
@@ -370,19 +364,19 @@ fn is_antiderivative(operation: &Operation) -> bool {
 }
 
 /// Whether premises, relations or assumed equations say anything of a symbol: then other symbols may depend on it.
-fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
+fn is_spoken_of(statements: &Statements, symbols: &Symbols, name: &Name) -> bool {
     let speaks = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
     let mut premises = statements.premises.iter();
-    is_tied(statements, vocabulary, name)
+    is_tied(statements, symbols, name)
         || premises.any(|premise| speaks(&premise.equation))
-        || stands_in_symbols(vocabulary, name)
+        || stands_in_symbols(symbols, name)
 }
 
 /// Whether an assumed equation ties a symbol to others.
-fn is_tied(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
+fn is_tied(statements: &Statements, symbols: &Symbols, name: &Name) -> bool {
     let speaks = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
     let is_other = |node: &Tree| match node {
-        Tree::Symbol(other, _) => other != name && vocabulary.parameters.contains(other),
+        Tree::Symbol(other, _) => other != name && symbols.is_parameter(other),
         _ => false,
     };
     let mut assumed = statements.assume.iter();
@@ -398,24 +392,24 @@ fn is_tied(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> boo
 
 /// Whether relations, periods, derivatives of functions or maps of `[symbols]` speak of a symbol: it is not replaced there.
 /// The running time in the derivative of a function is the function's argument, whatever it is.
-fn stands_in_symbols(vocabulary: &Vocabulary, name: &Name) -> bool {
+fn stands_in_symbols(symbols: &Symbols, name: &Name) -> bool {
     let in_equation = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
-    let is_argument = vocabulary.running.as_ref() == Some(name);
-    let slopes = vocabulary.functions.iter().filter(|_| !is_argument);
-    let slopes = slopes.filter_map(|(_, slope)| slope.as_ref());
-    let mut trees = vocabulary.periods.iter().map(|(_, period)| period).chain(slopes);
+    let is_argument = symbols.running() == Some(name);
+    let slopes = symbols.functions().filter(|_| !is_argument);
+    let slopes = slopes.filter_map(|(_, slope)| slope);
+    let mut trees = symbols.periods().map(|(_, period)| period).chain(slopes);
     let in_map = |map: &Map| match map {
         Map::Equations(equations) => equations.iter().any(in_equation),
         Map::Premises { .. } | Map::Product(_) => false,
     };
-    vocabulary.relations.iter().any(in_equation)
+    symbols.relations.iter().any(in_equation)
         || trees.any(|tree| tree.has_free(name))
-        || vocabulary.maps.iter().any(|(_, map)| in_map(map))
+        || symbols.maps().any(|(_, map)| in_map(map))
 }
 
 /// That a symbol may be differentiated by: it is no integer.
-fn is_continuous(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> Result<(), String> {
-    let is_integer = integers::integers(statements, vocabulary).contains(name) || vocabulary.integers.contains(name);
+fn is_continuous(statements: &Statements, symbols: &Symbols, name: &Name) -> Result<(), String> {
+    let is_integer = integers::integers(statements, symbols).contains(name) || symbols.is_integer(name);
     match is_integer {
         true => Err(format!("`{name}` is an integer: nothing is differentiated by it")),
         false => Ok(()),
@@ -423,13 +417,13 @@ fn is_continuous(statements: &Statements, vocabulary: &Vocabulary, name: &Name) 
 }
 
 /// A name that nothing in the statements has, like `like`.
-fn fresh(statements: &Statements, vocabulary: &Vocabulary, like: &str) -> Name {
-    fresh_like(statements, vocabulary, build::plain(like))
+fn fresh(statements: &Statements, symbols: &Symbols, like: &str) -> Name {
+    fresh_like(statements, symbols, build::plain(like))
 }
 
-fn fresh_like(statements: &Statements, vocabulary: &Vocabulary, mut name: Name) -> Name {
+fn fresh_like(statements: &Statements, symbols: &Symbols, mut name: Name) -> Name {
     let is_met = |name: &Name| {
-        vocabulary.knows(name)
+        symbols.knows(name)
             || trees(statements)
                 .into_iter()
                 .any(|tree| derivative::mentions(tree, name))

@@ -2,13 +2,10 @@
 //!
 //! Nothing rests on what is found: it is shown to be an antiderivative.
 
-use super::super::nodes::any;
-use super::super::substitute::{mapped, number_of};
-use super::super::vocabulary::Vocabulary;
 use super::build::{integer, power, product, quotient, sum};
 use super::derivative::{By, mentions};
 use crate::number::{Field, Rational};
-use crate::tex::{At, Name, Tree};
+use crate::tex::{At, Name, Symbols, Tree, any, mapped, number_of};
 
 /// The most terms, and the most steps.
 const MOST: usize = 60;
@@ -66,7 +63,7 @@ impl Monomial {
 /// A search for an antiderivative by `by`.
 pub(super) struct Parts<'a> {
     pub by: &'a Name,
-    pub vocabulary: &'a Vocabulary,
+    pub symbols: &'a Symbols,
     /// The slope of what is linear.
     pub slope: &'a dyn Fn(&Tree) -> Option<Tree>,
     /// An antiderivative of what holds no unknown function.
@@ -78,7 +75,7 @@ impl Parts<'_> {
         let mut rest = self.monomials(&self.with_declared(tree))?;
         let mut found = Vec::new();
         let by = By {
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             name: self.by,
         };
         for _ in 0..STEPS {
@@ -109,8 +106,8 @@ impl Parts<'_> {
                 primes: 0,
                 ..name.clone()
             };
-            let mut functions = self.vocabulary.functions.iter();
-            let (_, slope) = functions.find(|(function, _)| name.primes > 0 && *function == plain)?;
+            let mut functions = self.symbols.functions();
+            let (_, slope) = functions.find(|(function, _)| name.primes > 0 && **function == plain)?;
             let Some(Tree::Symbol(slope, _)) = slope else {
                 return None;
             };
@@ -125,7 +122,7 @@ impl Parts<'_> {
     fn holds_function(&self, tree: &Tree) -> bool {
         any(
             tree,
-            &mut |node| matches!(node, Tree::Call(name, ..) if self.vocabulary.is_function(name)),
+            &mut |node| matches!(node, Tree::Call(name, ..) if self.symbols.is_function(name)),
         ) && mentions(tree, self.by)
     }
 
@@ -169,7 +166,7 @@ impl Parts<'_> {
         let Tree::Call(name, ..) = tree else {
             return None;
         };
-        if !self.vocabulary.is_function(name) || !mentions(tree, self.by) {
+        if !self.symbols.is_function(name) || !mentions(tree, self.by) {
             return None;
         }
         let (mut order, mut value) = (0, tree.clone());
@@ -185,7 +182,7 @@ impl Parts<'_> {
         let Tree::Call(name, argument, _) = value else {
             return None;
         };
-        let name = self.vocabulary.antiderivative_of(name)?;
+        let name = self.symbols.antiderivative_of(name)?;
         Some(Tree::Call(name, argument.clone(), At::default()))
     }
 
@@ -253,16 +250,15 @@ fn gathered(monomials: Vec<Monomial>) -> Option<Vec<Monomial>> {
 #[cfg(test)]
 mod tests {
     use super::super::super::fault::Fault;
-    use super::super::super::symbols::Symbols;
-    use super::super::super::vocabulary::Vocabulary;
+    use super::super::super::symbols::RawSymbols;
     use super::super::antiderivative::antiderivative;
     use super::super::build::plain;
 
     fn found(tex: &str) -> Result<Option<String>, Fault> {
-        let symbols: Symbols = toml::from_str("times = ['x']\nfunctions = ['f', 'g']\nparameters = ['a']").unwrap();
-        let vocabulary = Vocabulary::read(&symbols)?;
-        let tree = crate::tex::read_expression(tex, &vocabulary.names).unwrap();
-        Ok(antiderivative(&tree, &plain("x"), &vocabulary).map(|whole| whole.to_string()))
+        let symbols: RawSymbols = toml::from_str("times = ['x']\nfunctions = ['f', 'g']\nparameters = ['a']").unwrap();
+        let symbols = symbols.read()?;
+        let tree = crate::tex::read_expression(tex, &symbols.names).unwrap();
+        Ok(antiderivative(&tree, &plain("x"), &symbols).map(|whole| whole.to_string()))
     }
 
     #[test]

@@ -2,13 +2,11 @@
 //! value of `\arccos a` is the number from 0 to pi whose cosine is a, that of a square root of a the number that is not
 //! negative and whose square is a.
 
-use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::vocabulary::Vocabulary;
 use super::build::{call, integer, negative, plain, power, sum};
 use super::integral::terms;
 use super::{Goal, Rule};
-use crate::tex::{Condition, Elementary, Equation, Relation, Tree};
+use crate::tex::{Condition, Elementary, Equation, Relation, Symbols, Tree, any};
 
 /// What a value is known by.
 struct Meaning {
@@ -64,8 +62,8 @@ fn meaning(tree: &Tree, value: &Tree) -> Option<Meaning> {
 }
 
 /// The ways to prove a claim of real numbers by the meaning of one of its terms; the goals of each are enough together.
-pub(super) fn ways(statements: &Statements, vocabulary: &Vocabulary, claim: &Equation) -> Vec<Vec<Goal>> {
-    if vocabulary.knows(&plain("\\pi")) && vocabulary.declares(&plain("\\pi")) {
+pub(super) fn ways(statements: &Statements, symbols: &Symbols, claim: &Equation) -> Vec<Vec<Goal>> {
+    if symbols.knows(&plain("\\pi")) && symbols.declares(&plain("\\pi")) {
         return Vec::new();
     }
     let mut all = Vec::new();
@@ -84,7 +82,7 @@ pub(super) fn ways(statements: &Statements, vocabulary: &Vocabulary, claim: &Equ
             let part = format!("what it means: {claim}");
             alone.claims = vec![claim];
             alone.assume.extend(domain.iter().cloned());
-            Goal::of(&alone, vocabulary, part)
+            Goal::of(&alone, symbols, part)
         };
         claims.into_iter().map(goal).collect()
     };

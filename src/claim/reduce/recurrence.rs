@@ -8,10 +8,7 @@
 //! or says nothing of it; and downwards, where r is linear in its earliest member with a factor that is not 0 and does not
 //! run, or where the window begins with the recurrence. Only such windows count as points of the premises.
 
-use super::super::nodes::{any, holds};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{mapped, number_of, rewrite};
-use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{integer, negative, product, quotient, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{at_index, only_factorials};
@@ -19,7 +16,10 @@ use super::induction::{self, Moving};
 use super::instances::{self, relation_holds};
 use super::series::is_zero;
 use super::{Goal, Reduced, Rule, defined, factorial, rewritten, trees};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{
+    Condition, Equation, Meaning, Name, Operation, Relation, Symbols, Tree, any, holds, index_of, mapped, number_of,
+    rewrite, subscript_of,
+};
 use std::collections::BTreeSet;
 
 /// The most members that are written out, and the most indices at which a claim is tried.
@@ -29,21 +29,21 @@ const MOST_TRIED: i64 = 5;
 const HIGHEST_ORDER: i64 = 4;
 
 /// Whether a claim speaks of members of a sequence.
-pub(super) fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary) -> bool {
+pub(super) fn is_spoken_of(statements: &Statements, symbols: &Symbols) -> bool {
     let is_member = |node: &Tree| match node {
-        Tree::Symbol(name, _) => vocabulary.states.contains(&name.bare()),
+        Tree::Symbol(name, _) => symbols.is_state(&name.bare()),
         _ => false,
     };
     let mut sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
-    !vocabulary.indices.is_empty() && sides.any(|side| any(side, &mut |node| is_member(node)))
+    symbols.indices().next().is_some() && sides.any(|side| any(side, &mut |node| is_member(node)))
 }
 
 /// What a claim about a sequence comes to.
 ///
 /// # Errors
 /// Why the premises give no sequence that is followed here.
-pub(super) fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Reduced, String> {
-    let sequence = Sequence::of(statements, vocabulary)?;
+pub(super) fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Reduced, String> {
+    let sequence = Sequence::of(statements, symbols)?;
     let (sufficient, reason) = match sequence.induction() {
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),
@@ -67,9 +67,9 @@ pub(super) fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Resul
 
 /// A claim about one sequence, and the recurrence that gives it.
 struct Sequence<'a> {
-    vocabulary: &'a Vocabulary,
-    /// The vocabulary in which the index is an integer and members are parameters.
-    plain: Vocabulary,
+    symbols: &'a Symbols,
+    /// The symbol table in which the index is an integer and members are parameters.
+    plain: Symbols,
     /// The letter of the index, and the name of the sequence.
     letter: Name,
     state: Name,
@@ -94,22 +94,23 @@ struct Members {
 }
 
 impl<'a> Sequence<'a> {
-    fn of(statements: &Statements, vocabulary: &'a Vocabulary) -> Result<Self, String> {
-        let [letter] = vocabulary.indices.as_slice() else {
+    fn of(statements: &Statements, symbols: &'a Symbols) -> Result<Self, String> {
+        let mut indices = symbols.indices();
+        let (Some(letter), None) = (indices.next(), indices.next()) else {
             return Err("more than one index runs".to_owned());
         };
-        let is_tied = !(vocabulary.relations.is_empty() && vocabulary.laws.is_empty());
-        if is_tied || letter.to_string() != vocabulary.index {
+        let is_tied = !(symbols.relations.is_empty() && symbols.laws.is_empty());
+        if is_tied || letter.to_string() != symbols.index {
             return Err("a recurrence beside relations or laws has no induction here".to_owned());
         }
         let all = trees(statements);
-        if all.iter().any(|tree| vocabulary.may_be_complex(tree)) {
+        if all.iter().any(|tree| symbols.may_be_complex(tree)) {
             return Err("sequences of complex numbers have no induction here".to_owned());
         }
         let moves = |node: &Tree| match node {
             Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-                let is_time = vocabulary.times.contains(&name.bare()) || vocabulary.running.as_ref() == Some(name);
-                is_time || vocabulary.is_function(name) || vocabulary.maps.iter().any(|(map, _)| map == name)
+                let is_time = symbols.is_time(&name.bare()) || symbols.running() == Some(name);
+                is_time || symbols.is_function(name) || symbols.maps().any(|(map, _)| map == name)
             }
             _ => false,
         };
@@ -119,27 +120,25 @@ impl<'a> Sequence<'a> {
         if all.iter().any(|tree| any(tree, &mut |node| is_strange(node, letter))) {
             return Err(format!("{letter} is bound, or signs are left open"));
         }
-        let state = the_state(&all, vocabulary, letter)?;
+        let state = the_state(&all, symbols, letter)?;
         let listed = [
-            &vocabulary.positive,
-            &vocabulary.nonnegative,
-            &vocabulary.nonzero,
-            &vocabulary.at_most_one,
-            &vocabulary.integers,
-            &vocabulary.generic,
+            Meaning::Positive,
+            Meaning::Nonnegative,
+            Meaning::Nonzero,
+            Meaning::AtMostOne,
+            Meaning::Integer,
+            Meaning::Generic,
         ];
         let runs_in_list = |name: &Name| name.bare() == state && index_of(&name.subscript, &letter.base).is_some();
-        if listed.into_iter().flatten().any(runs_in_list) {
+        if listed.iter().any(|kind| symbols.all(kind).any(runs_in_list)) {
             return Err(format!("[symbols] says something of every member of {state}"));
         }
-        let mut plain = vocabulary.clone();
-        plain.states.clear();
-        plain.indices.clear();
-        plain.continuous.clear();
+        let mut plain = symbols.clone();
+        plain.retain(|_, own| !matches!(own, Meaning::State | Meaning::Index | Meaning::Continuous));
         plain.names.functions.clear();
-        plain.index = Vocabulary::default().index;
+        plain.index = Symbols::default().index;
         plain.let_be_parameter(letter, false);
-        plain.integers.push(letter.clone());
+        plain.declare(letter.clone(), Meaning::Integer);
 
         let mut rest = statements.clone();
         let runs = |tree: &Tree| runs(tree, &state, letter);
@@ -180,7 +179,7 @@ impl<'a> Sequence<'a> {
         let (lowest, highest, given) = solved(&law.equation, &state, letter)?;
         law.equation = given;
         let mut sequence = Self {
-            vocabulary,
+            symbols,
             plain,
             letter: letter.clone(),
             state,
@@ -351,12 +350,12 @@ impl<'a> Sequence<'a> {
         &self,
         mut context: Statements,
         said: Vec<Equation>,
-        vocabulary: &Vocabulary,
+        symbols: &Symbols,
         goals: &mut Vec<Goal>,
     ) -> Result<Statements, String> {
         for equation in said {
-            let mut conditions = defined::conditions(&equation.left, vocabulary)?;
-            conditions.extend(defined::conditions(&equation.right, vocabulary)?);
+            let mut conditions = defined::conditions(&equation.left, symbols)?;
+            conditions.extend(defined::conditions(&equation.right, symbols)?);
             if conditions
                 .iter()
                 .any(|condition| relation_holds(condition) == Some(false))
@@ -368,7 +367,7 @@ impl<'a> Sequence<'a> {
                 let mut alone = context.clone();
                 let part = format!("{condition} in the recurrence");
                 alone.claims = vec![condition];
-                goals.push(self.goal(&alone, vocabulary, part)?);
+                goals.push(self.goal(&alone, symbols, part)?);
             }
             context.premises.push(Premise::known(&self.law.label, equation));
         }
@@ -376,15 +375,14 @@ impl<'a> Sequence<'a> {
     }
 
     /// A claim about parameters: each member is one.
-    fn goal(&self, statements: &Statements, vocabulary: &Vocabulary, part: String) -> Result<Goal, String> {
-        let (statements, mut vocabulary) =
-            factorial::as_quantities(&only_factorials(statements, vocabulary)?, vocabulary)?;
+    fn goal(&self, statements: &Statements, symbols: &Symbols, part: String) -> Result<Goal, String> {
+        let (statements, mut symbols) = factorial::as_quantities(&only_factorials(statements, symbols)?, symbols)?;
         let mut names: BTreeSet<Name> = BTreeSet::new();
         for tree in trees(&statements) {
             any(tree, &mut |node| {
                 if let Tree::Symbol(name, _) = node
-                    && self.vocabulary.states.contains(&name.bare())
-                    && !vocabulary.parameters.contains(name)
+                    && self.symbols.is_state(&name.bare())
+                    && !symbols.is_parameter(name)
                 {
                     names.insert(name.clone());
                 }
@@ -399,9 +397,9 @@ impl<'a> Sequence<'a> {
             return Err(format!("`{name}` is no member that is followed"));
         }
         for name in &names {
-            vocabulary.let_be_parameter(name, false);
+            symbols.let_be_parameter(name, false);
         }
-        Ok(Goal::of(&statements, &vocabulary, part))
+        Ok(Goal::of(&statements, &symbols, part))
     }
 
     /// The index at which an induction over all integers begins, or the trials of a claim.
@@ -500,7 +498,7 @@ impl<'a> Sequence<'a> {
         moving: &[Moving],
         from: &[i64],
         to: i64,
-        plain: &Vocabulary,
+        plain: &Symbols,
         goals: &mut Vec<Goal>,
     ) -> Result<(), String> {
         let claims_at = |offset: i64| -> Vec<Equation> {
@@ -571,16 +569,16 @@ fn is_strange(node: &Tree, letter: &Name) -> bool {
 }
 
 /// The one sequence that is spoken of.
-fn the_state(all: &[&Tree], vocabulary: &Vocabulary, letter: &Name) -> Result<Name, String> {
+fn the_state(all: &[&Tree], symbols: &Symbols, letter: &Name) -> Result<Name, String> {
     let mut met: BTreeSet<Name> = BTreeSet::new();
     let mut strange = None;
-    let is_base = |name: &Name| vocabulary.states.iter().any(|state| state.base == name.base);
+    let is_base = |name: &Name| symbols.states().any(|state| state.base == name.base);
     for tree in all {
         any(tree, &mut |node| {
             match node {
-                Tree::Symbol(name, _) if is_base(name) && !vocabulary.is_single(name) => {
+                Tree::Symbol(name, _) if is_base(name) && !symbols.is_single(name) => {
                     let is_plain = name.mark.is_empty() && name.primes == 0 && !name.subscript.is_empty();
-                    match is_plain && vocabulary.states.contains(&name.bare()) {
+                    match is_plain && symbols.is_state(&name.bare()) {
                         true => met.insert(name.bare()),
                         false => strange.replace(name.clone()).is_none(),
                     };

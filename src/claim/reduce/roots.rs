@@ -1,15 +1,12 @@
 //! Roots whose index is a symbol: `\sqrt[n]{x}` is `x^{1/n}` where x is not negative, which is to be shown; whether there is
 //! a root of a negative number depends on the index.
 
-use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::mapped;
-use super::super::vocabulary::Vocabulary;
 use super::build::{integer, quotient, real_power};
 use super::derivative::mentions;
 use super::{Goal, Rule, rewritten, trees};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Operation, Relation, Tree};
+use crate::tex::{Condition, Equation, Operation, Relation, Symbols, Tree, any, mapped};
 
 fn parts(node: &Tree) -> Option<(&Tree, &Tree)> {
     match node {
@@ -22,13 +19,13 @@ fn parts(node: &Tree) -> Option<(&Tree, &Tree)> {
 }
 
 /// The root of a power of a positive number has the quotient of exponents, if these are real (DLMF 4.8).
-fn root_of(of: Tree, index: Tree, vocabulary: &Vocabulary) -> Tree {
+fn root_of(of: Tree, index: Tree, symbols: &Symbols) -> Tree {
     let is_positive = |base: &Tree| match base {
-        Tree::Symbol(name, _) => vocabulary.positive.contains(name),
+        Tree::Symbol(name, _) => symbols.is_positive(name),
         Tree::Number(value) => *value > Rational::from_integer(0),
         _ => false,
     };
-    let is_real = |exponent: &Tree| !vocabulary.may_be_complex(exponent);
+    let is_real = |exponent: &Tree| !symbols.may_be_complex(exponent);
     match of {
         Tree::RealPower(base, exponent, _) if is_positive(&base) && is_real(&exponent) && is_real(&index) => {
             real_power(*base, quotient(*exponent, index))
@@ -40,11 +37,11 @@ fn root_of(of: Tree, index: Tree, vocabulary: &Vocabulary) -> Tree {
     }
 }
 
-fn as_power(tree: &Tree, vocabulary: &Vocabulary) -> Tree {
-    let written = |tree: &Tree| as_power(tree, vocabulary);
+fn as_power(tree: &Tree, symbols: &Symbols) -> Tree {
+    let written = |tree: &Tree| as_power(tree, symbols);
     mapped(tree, &|node| {
         let (of, index) = parts(node)?;
-        Some(root_of(written(of), written(index), vocabulary))
+        Some(root_of(written(of), written(index), symbols))
     })
 }
 
@@ -52,7 +49,7 @@ fn as_power(tree: &Tree, vocabulary: &Vocabulary) -> Tree {
 ///
 /// # Errors
 /// The root of what a sum, an integral or a limit moves.
-pub(super) fn as_powers(statements: &Statements, vocabulary: &Vocabulary) -> Result<(Statements, Vec<Goal>), String> {
+pub(super) fn as_powers(statements: &Statements, symbols: &Symbols) -> Result<(Statements, Vec<Goal>), String> {
     let mut radicands: Vec<Tree> = Vec::new();
     let mut is_bound = false;
     for tree in trees(statements) {
@@ -75,7 +72,7 @@ pub(super) fn as_powers(statements: &Statements, vocabulary: &Vocabulary) -> Res
     if is_bound {
         return Err("a root with a symbolic index of what a sum, an integral or a limit moves".to_owned());
     }
-    let powers = rewritten(statements, Rule::RootPower, &|tree| as_power(tree, vocabulary));
+    let powers = rewritten(statements, Rule::RootPower, &|tree| as_power(tree, symbols));
     // what holds a root says that there is one, which is to be shown without it
     let is_plain = |tree: &Tree| !any(tree, &mut |node| matches!(node, Tree::Operation(..)));
     let is_condition = |condition: &Condition| condition.sides().into_iter().all(is_plain);
@@ -89,11 +86,11 @@ pub(super) fn as_powers(statements: &Statements, vocabulary: &Vocabulary) -> Res
         let mut alone = plain.clone();
         let claim = Equation {
             relation: Relation::GreaterOrEqual,
-            ..Equation::between(as_power(radicand, vocabulary), integer(0))
+            ..Equation::between(as_power(radicand, symbols), integer(0))
         };
         let part = format!("{claim} under a root");
         alone.claims = vec![claim];
-        Goal::of(&alone, vocabulary, part)
+        Goal::of(&alone, symbols, part)
     };
     let lemmas = radicands.iter().map(lemma).collect();
     Ok((powers, lemmas))

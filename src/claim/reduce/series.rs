@@ -3,14 +3,11 @@
 //!
 //! A series holds where what it needs does: each division, logarithm and root says so.
 
-use super::super::nodes::any;
-use super::super::substitute::{mapped, number_of};
-use super::super::vocabulary::Vocabulary;
 use super::build::{call, infinity, integer, negative, power, product, quotient, real_power, root, sum, symbol};
 use super::derivative::{By, mentions};
 use super::factorial;
 use crate::number::{Field, Rational};
-use crate::tex::{At, Elementary, Equation, Name, Operation, Parity, Relation, Tree};
+use crate::tex::{At, Elementary, Equation, Name, Operation, Parity, Relation, Symbols, Tree, any, mapped, number_of};
 
 /// The sum of `terms[k] h^(low + k)`, and what follows is not known.
 #[derive(Clone, Debug)]
@@ -21,7 +18,7 @@ pub(super) struct Series {
 
 /// Series in a quantity h that tends to 0.
 pub(super) struct Small<'a> {
-    pub vocabulary: &'a Vocabulary,
+    pub symbols: &'a Symbols,
     /// Functions of which premises speak: how smooth these are is not known.
     pub given: Vec<Name>,
     /// What moves, and its series.
@@ -406,7 +403,7 @@ impl Small<'_> {
         let Some(first) = series.terms.first().cloned() else {
             return Err("no term is known".to_owned());
         };
-        let is_whole = whole.is_some() || factorial::is_integer(exponent, self.vocabulary);
+        let is_whole = whole.is_some() || factorial::is_integer(exponent, self.symbols);
         self.need(relation(
             first.clone(),
             if is_whole {
@@ -435,9 +432,9 @@ impl Small<'_> {
 
     /// The series of a tree.
     pub fn of(&mut self, tree: &Tree) -> Found {
-        let vocabulary = self.vocabulary;
+        let symbols = self.symbols;
         let is_conjugate =
-            |node: &Tree| matches!(node, Tree::Symbol(name, _) if vocabulary.is_conjugate_of(name, self.name));
+            |node: &Tree| matches!(node, Tree::Symbol(name, _) if symbols.is_conjugate_of(name, self.name));
         if any(tree, &mut |node| is_conjugate(node)) {
             return Err("a conjugate in a series".to_owned());
         }
@@ -489,7 +486,7 @@ impl Small<'_> {
                 let euler = super::build::plain("e");
                 let is_euler = matches!(&**base, Tree::Symbol(name, _) if *name == euler);
                 let exponent = self.of(exponent)?;
-                if is_euler && !self.vocabulary.declares(&euler) {
+                if is_euler && !self.symbols.declares(&euler) {
                     return self.exponential(&exponent);
                 }
                 let base = self.of(base)?;
@@ -533,12 +530,12 @@ impl Small<'_> {
     }
 
     fn of_call(&mut self, name: &Name, argument: &Tree) -> Found {
-        let is_complex = self.vocabulary.speaks_of_complex(argument);
+        let is_complex = self.symbols.speaks_of_complex(argument);
         if is_complex && !Elementary::named(name).is_some_and(|function| function.is_analytic) {
             return Err(format!("{name} of a complex number in a series"));
         }
         let inner = self.of(argument)?;
-        if self.vocabulary.is_function(name) {
+        if self.symbols.is_function(name) {
             return self.of_unknown(name, &inner);
         }
         let length = self.length;
@@ -626,12 +623,12 @@ impl Small<'_> {
         if self.given.iter().any(|given| given.bare() == name.bare()) {
             return Err(format!("premises speak of `{name}`: how smooth it is is not known"));
         }
-        let Some(running) = self.vocabulary.running.as_ref() else {
+        let Some(running) = self.symbols.running() else {
             return Err(format!("`{name}` has no derivatives here"));
         };
         for k in 1..self.length {
             let by = By {
-                vocabulary: self.vocabulary,
+                symbols: self.symbols,
                 name: running,
             };
             slope = by.next(&slope)?;
@@ -654,7 +651,7 @@ impl Small<'_> {
             return Err("an integral over an interval that does not shrink".to_owned());
         };
         let mut inner = Small {
-            vocabulary: self.vocabulary,
+            symbols: self.symbols,
             given: self.given.clone(),
             name: by,
             value: Series {

@@ -4,11 +4,10 @@
 //!
 //! The polynomials are found modulo a prime. Nothing rests on that: the equation is a claim of its own.
 
-use super::super::substitute::{mapped, rewrite};
 use super::build::{difference, integer, power, product, quotient, sum, symbol};
 use super::derivative::mentions;
 use super::factorial::{self, FACTORIAL};
-use crate::tex::{Equation, Name, Operation, Series, Tree};
+use crate::tex::{Equation, Name, Operation, Series, Tree, mapped, rewrite};
 use std::collections::BTreeMap;
 
 /// The highest degree of the factor of the terms, of the polynomials in the length, and the most parameters.

@@ -1,11 +1,9 @@
 //! Where a claim has a value: on a thin set alone, where what stands under a root cannot be above 0, or wherever what is given holds.
 
-use super::super::nodes::any;
-use super::super::substitute::number_of;
 use super::build::{difference, integer, power, product};
 use super::defined::conditions;
 use super::{Goal, trees};
-use crate::tex::{Condition, Elementary, Equation, Relation, Tree};
+use crate::tex::{Condition, Elementary, Equation, Relation, Tree, any, number_of};
 
 /// The most roots that are looked at.
 const MOST: usize = 4;
@@ -15,12 +13,9 @@ const MOST: usize = 4;
 /// proved, the claim is about its zeros alone.
 pub fn thin_domains(goal: &Goal) -> Vec<(Tree, Goal)> {
     let Goal {
-        statements, vocabulary, ..
+        statements, symbols, ..
     } = goal;
-    if trees(statements)
-        .into_iter()
-        .any(|tree| vocabulary.may_be_complex(tree))
-    {
+    if trees(statements).into_iter().any(|tree| symbols.may_be_complex(tree)) {
         return Vec::new();
     }
     let mut radicands: Vec<Tree> = Vec::new();
@@ -41,7 +36,7 @@ pub fn thin_domains(goal: &Goal) -> Vec<(Tree, Goal)> {
         let have_values = others.map(|other| Condition::Relation(against_zero(other, Relation::GreaterOrEqual)));
         alone.assume.extend(have_values);
         let part = format!("{radicand} is nowhere above 0");
-        (radicand.clone(), Goal::of(&alone, vocabulary, part))
+        (radicand.clone(), Goal::of(&alone, symbols, part))
     };
     radicands.iter().take(MOST).map(of).collect()
 }
@@ -73,15 +68,15 @@ fn whole_radicand(node: &Tree) -> Option<Tree> {
 /// not known.
 pub fn values(goal: &Goal) -> Vec<(Equation, Goal)> {
     let Goal {
-        statements, vocabulary, ..
+        statements, symbols, ..
     } = goal;
     let sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
-    let conditions: Result<Vec<Vec<Equation>>, String> = sides.map(|side| conditions(side, vocabulary)).collect();
+    let conditions: Result<Vec<Vec<Equation>>, String> = sides.map(|side| conditions(side, symbols)).collect();
     let of = |condition: Equation| {
         let mut alone = statements.clone();
         alone.claims = vec![condition.clone()];
         let part = format!("{condition} where what is given holds");
-        (condition, Goal::of(&alone, vocabulary, part))
+        (condition, Goal::of(&alone, symbols, part))
     };
     conditions.unwrap_or_default().into_iter().flatten().map(of).collect()
 }

@@ -1,9 +1,8 @@
 //! Values of formulas at points where the premises hold, worked out from those of the names and calls in them.
 
 use super::value::{Arithmetic, Number, Op, UNDEFINED, Value, rational, real, whole};
-use crate::claim::{pair_of, parts, with_symbol};
 use crate::number::{Field, Rational};
-use crate::tex::{Name, Operation, Series, Tree};
+use crate::tex::{Name, Operation, Series, Tree, pair_of, parts, with_symbol};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 

@@ -2,14 +2,14 @@
 
 use super::table::listed;
 use super::{Verdicts, anchor, badge, foreign};
-use crate::claim::{Map, Sheet, Source};
+use crate::claim::{Sheet, Source};
 use crate::kernel::DERIVATIVES_EXIST;
 use crate::markup::{Element, Markup, element, text_in};
 use crate::prove::{Counterexample, Decision, Explanation};
 use crate::repair::{Part as Place, Repair};
 use crate::report::{Cell, Table};
 use crate::tex::{
-    Condition, Equation, Name, Names, Tree, difference_of, mathml, mathml_display, mathml_of_condition, read,
+    Condition, Equation, Map, Name, Names, Tree, difference_of, mathml, mathml_display, mathml_of_condition, read,
     read_conditions, read_display, read_expression,
 };
 use std::collections::HashSet;
@@ -137,17 +137,12 @@ impl Given {
         let given = others.map(|(_, entry)| Self {
             label: entry.label.clone(),
             role: entry.role.to_string(),
-            formula: Typeset::display(&entry.tex.tex, &sheet.vocabulary.names),
+            formula: Typeset::display(&entry.tex.tex, &sheet.symbols.names),
             source: entry.tex.tex.clone(),
         });
-        let vocabulary = &sheet.vocabulary;
+        let symbols = &sheet.symbols;
         given
-            .chain(
-                vocabulary
-                    .maps
-                    .iter()
-                    .map(|(name, map)| Self::map(name, map, &vocabulary.names)),
-            )
+            .chain(symbols.maps().map(|(name, map)| Self::map(name, map, &symbols.names)))
             .collect()
     }
 
@@ -209,7 +204,7 @@ impl Printed {
         repairs: &[Repair],
         explained: &Explanation,
     ) -> Self {
-        let names = &sheet.vocabulary.names;
+        let names = &sheet.symbols.names;
         let entry = sheet.entries.get(position);
         let tex = entry.map(|entry| entry.tex.tex.clone()).unwrap_or_default();
         let displays = |sources: Vec<&Source>| {

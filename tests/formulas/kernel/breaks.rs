@@ -611,7 +611,7 @@ fn broken_certificates_prove_nothing_false() {
         let found = certificates(&sheet_of_right, claim);
         let statements = Statements::gather(&sheet_of_wrong, twin)
             .ok()
-            .and_then(|statements| questions(&statements, &sheet_of_wrong.vocabulary).ok())
+            .and_then(|statements| questions(&statements, &sheet_of_wrong.symbols).ok())
             .unwrap_or_default();
         if found.is_empty() || found.len() != statements.len() || statements.len() != 1 {
             continue;

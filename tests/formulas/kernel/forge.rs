@@ -33,7 +33,7 @@ pub fn read_sheet(text: &str) -> Result<Vec<Question>, Unreadable> {
     let sheet = Sheet::read(text, &vocabulary().unwrap()).unwrap();
     let position = (0..sheet.entries.len()).find(|&n| sheet.is_claim(n)).unwrap();
     let statements = Statements::gather(&sheet, position).unwrap();
-    questions(&statements, &sheet.vocabulary)
+    questions(&statements, &sheet.symbols)
 }
 
 /// The statement of the only claim.

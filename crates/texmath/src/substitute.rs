@@ -1,25 +1,25 @@
 //! Substitutions in a tree, and what an equation is said of.
 
-use super::nodes::{any, any_side};
-use super::vocabulary::{Vocabulary, index_of, subscript_of};
-use crate::number::{Field, Rational};
-use crate::tex::{At, Condition, Equation, Name, Operation, Tree, evaluate};
+use crate::nodes::{any, any_side};
+use crate::symbols::{Symbols, index_of, subscript_of};
+use crate::{At, Condition, Equation, Name, Operation, Tree, evaluate};
+use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The tree with each symbol for which `new` has a tree replaced by it. What is put in keeps its meaning: a letter that an
+/// Returns the tree with each symbol for which `new` has a tree replaced by it. What is put in keeps its meaning: a letter that an
 /// operation binds there makes way.
 pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
     replaced(tree, new, Put::Rewritten)
 }
 
-/// The tree with names replaced by what they stand for: what is put in is read where it stands, as an author who defines
+/// Returns the tree with names replaced by what they stand for: what is put in is read where it stands, as an author who defines
 /// W = x^2 means it in an integral of W over x.
-pub(super) fn put_in(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
+pub fn put_in(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
     replaced(tree, new, Put::AsWritten)
 }
 
-/// As [`put_in`], with the names in what is put in replaced too. It must come to an end.
-pub(super) fn put_in_throughout(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
+/// Does as [`put_in`], with the names in what is put in replaced too. It must come to an end.
+pub fn put_in_throughout(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
     replaced(tree, new, Put::Throughout)
 }
 
@@ -74,8 +74,8 @@ fn replaced(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>, put: Put) -> Tree 
     }
 }
 
-/// The tree with each node replaced for which `new` has another.
-pub(super) fn mapped(tree: &Tree, new: &dyn Fn(&Tree) -> Option<Tree>) -> Tree {
+/// Returns the tree with each node replaced for which `new` has another.
+pub fn mapped(tree: &Tree, new: &dyn Fn(&Tree) -> Option<Tree>) -> Tree {
     new(tree).unwrap_or_else(|| tree.map(&mut |part| mapped(part, new)))
 }
 
@@ -124,7 +124,7 @@ fn name_of(tree: &Tree) -> Option<Name> {
     }
 }
 
-/// The equation with both sides rewritten.
+/// Returns the equation with both sides rewritten.
 pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>) -> Equation {
     Equation {
         left: rewrite(&equation.left, new),
@@ -133,39 +133,37 @@ pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>
     }
 }
 
-/// The value of a tree that is written with numbers alone.
+/// Returns the value of a tree that is written with numbers alone.
 pub fn number_of(tree: &Tree) -> Option<Rational> {
     evaluate(tree, &mut BTreeMap::<Name, Rational>::new()).ok()
 }
 
-/// The condition with what stands in it rewritten, as sides of an equation.
-pub(super) fn rewrite_condition(condition: &Condition, new: &dyn Fn(&Equation) -> Equation) -> Condition {
+/// Returns the condition with what stands in it rewritten, as sides of an equation.
+pub fn rewrite_condition(condition: &Condition, new: &dyn Fn(&Equation) -> Equation) -> Condition {
     match condition {
         Condition::Relation(relation) => Condition::Relation(new(relation)),
         Condition::Integer(tree) => Condition::Integer(rewrite_alone(tree, new)),
     }
 }
 
-/// The tree rewritten as a side of an equation would be.
-pub(super) fn rewrite_alone(tree: &Tree, new: &dyn Fn(&Equation) -> Equation) -> Tree {
+/// Returns the tree rewritten as a side of an equation would be.
+pub fn rewrite_alone(tree: &Tree, new: &dyn Fn(&Equation) -> Equation) -> Tree {
     let nothing = Tree::Number(<Rational as num_traits::Zero>::zero());
     new(&Equation::between(tree.clone(), nothing)).left
 }
 
-/// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
-pub fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
-    tree_runs(&equation.left, vocabulary) || tree_runs(&equation.right, vocabulary)
+/// Returns true if an equation is said of a running time: by its symbol, or by a function without a bracket.
+pub fn runs(equation: &Equation, symbols: &Symbols) -> bool {
+    tree_runs(&equation.left, symbols) || tree_runs(&equation.right, symbols)
 }
 
-/// Whether an equation speaks of a state in flight: at the time of an impact it is the state there.
-pub fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+/// Returns true if an equation speaks of a state in flight: at the time of an impact it is the state there.
+pub fn flies(equation: &Equation, symbols: &Symbols) -> bool {
     let is_state = |name: &Name| {
-        let states = &vocabulary.states;
-        states
-            .iter()
-            .any(|s| [s.clone(), s.dotted(), s.dotted().dotted()].contains(&name.bare()))
+        let mut states = symbols.states();
+        states.any(|s| [s.clone(), s.dotted(), s.dotted().dotted()].contains(&name.bare()))
     };
-    let at_impact = |argument: &Tree| matches!(argument, Tree::Symbol(time, _) if vocabulary.impact(time).is_some());
+    let at_impact = |argument: &Tree| matches!(argument, Tree::Symbol(time, _) if symbols.impact(time).is_some());
     let mut test = |node: &Tree| match node {
         Tree::Call(name, argument, _) => name.subscript.is_empty() && is_state(name) && !at_impact(argument),
         Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
@@ -174,22 +172,21 @@ pub fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
     any_side(equation, &mut test)
 }
 
-/// Whether a formula is said of a running time.
-pub fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+/// Returns true if a formula is said of a running time.
+pub fn tree_runs(tree: &Tree, symbols: &Symbols) -> bool {
     any(tree, &mut |node| match node {
         Tree::Symbol(name, _) => {
-            vocabulary.running.as_ref() == Some(name)
-                || (vocabulary.names.functions.contains(name) && !vocabulary.parameters.contains(name))
+            symbols.running() == Some(name) || (symbols.names.functions.contains(name) && !symbols.is_parameter(name))
         }
         _ => false,
     })
 }
 
-impl Vocabulary {
-    /// The impact that an indexed time or state belongs to.
+impl Symbols {
+    /// Returns the impact that an indexed time or state belongs to.
     pub fn impact(&self, name: &Name) -> Option<i32> {
         let bare = name.bare();
-        let indexed = self.times.contains(&bare) || self.states.contains(&bare);
+        let indexed = self.is_time(&bare) || self.is_state(&bare);
         if indexed {
             index_of(&name.subscript, &self.index)
         } else {
@@ -197,14 +194,7 @@ impl Vocabulary {
         }
     }
 
-    fn abbreviated(&self, name: &Name) -> Option<&Tree> {
-        self.abbreviations
-            .iter()
-            .find(|(known, _)| known == name)
-            .map(|(_, tree)| tree)
-    }
-
-    /// The impacts that an equation speaks of.
+    /// Returns the impacts that an equation speaks of.
     pub fn impacts(&self, equation: &Equation) -> BTreeSet<i32> {
         let mut met = self.impacts_in(&equation.left);
         self.collect_impacts(&equation.right, &mut met);
@@ -212,17 +202,17 @@ impl Vocabulary {
     }
 
     /// Returns the impacts that a formula speaks of.
-    pub(super) fn impacts_in(&self, tree: &Tree) -> BTreeSet<i32> {
+    pub fn impacts_in(&self, tree: &Tree) -> BTreeSet<i32> {
         let mut met = BTreeSet::new();
         self.collect_impacts(tree, &mut met);
         met
     }
 
     /// Adds the impacts that a formula speaks of.
-    pub(super) fn collect_impacts(&self, tree: &Tree, met: &mut BTreeSet<i32>) {
+    pub fn collect_impacts(&self, tree: &Tree, met: &mut BTreeSet<i32>) {
         any(tree, &mut |node| {
             match node {
-                Tree::Symbol(name, _) => match self.abbreviated(name) {
+                Tree::Symbol(name, _) => match self.abbreviation(name) {
                     Some(tree) => self.collect_impacts(tree, met),
                     None => met.extend(self.impact(name)),
                 },
@@ -233,13 +223,13 @@ impl Vocabulary {
         });
     }
 
-    /// What an abbreviation stands for, those within it written out too, but for names that are `kept`.
-    pub(super) fn meaning(&self, name: &Name, kept: &dyn Fn(&Name) -> bool) -> Option<Tree> {
-        let meant = self.abbreviated(name).filter(|_| !kept(name))?;
+    /// Returns what an abbreviation stands for, those within it written out too, but for names that are `kept`.
+    pub fn meaning(&self, name: &Name, kept: &dyn Fn(&Name) -> bool) -> Option<Tree> {
+        let meant = self.abbreviation(name).filter(|_| !kept(name))?;
         Some(put_in(meant, &|inner| self.meaning(inner, kept)))
     }
 
-    /// The equation with its abbreviations written out.
+    /// Returns the equation with its abbreviations written out.
     pub fn expanded(&self, equation: &Equation) -> Equation {
         let written = |tree| put_in(tree, &|name| self.meaning(name, &|_| false));
         Equation {
@@ -249,32 +239,33 @@ impl Vocabulary {
         }
     }
 
-    /// Whether an equation is said of a running time or of a running index: it is more than one.
-    pub(super) fn moves(&self, equation: &Equation) -> bool {
+    /// Returns true if an equation is said of a running time or of a running index: it is more than one.
+    pub fn moves(&self, equation: &Equation) -> bool {
         let counts = |letter: &Name, name: &Name| *letter == *name || index_of(&name.subscript, &letter.base).is_some();
         let equation = self.expanded(equation);
-        let mut is_counted = |node: &Tree| matches!(node, Tree::Symbol(name, _) if self.indices.iter().any(|letter| counts(letter, name)));
+        let mut is_counted =
+            |node: &Tree| matches!(node, Tree::Symbol(name, _) if self.indices().any(|letter| counts(letter, name)));
         runs(&equation, self) || any_side(&equation, &mut is_counted)
     }
 
-    /// Whether an equation puts the time of one impact in for that of another, which takes the states there along.
-    pub(super) fn renames(&self, equation: &Equation) -> bool {
-        let is_time = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if self.times.contains(&name.bare()) && self.impact(name).is_some());
+    /// Returns true if an equation puts the time of one impact in for that of another, which takes the states there along.
+    pub fn renames(&self, equation: &Equation) -> bool {
+        let is_time = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if self.is_time(&name.bare()) && self.impact(name).is_some());
         is_time(&equation.left) && is_time(&equation.right)
     }
 
-    /// Whether an equation is said of many times, flights or indices.
-    pub(super) fn is_law(&self, equation: &Equation) -> bool {
+    /// Returns true if an equation is said of many times, flights or indices.
+    pub fn is_law(&self, equation: &Equation) -> bool {
         self.moves(equation) || flies(&self.expanded(equation), self)
     }
 
-    /// The equation said of impacts `by` further on.
+    /// Returns the equation said of impacts `by` further on.
     pub fn shifted(&self, equation: &Equation, by: i32) -> Equation {
         if by == 0 {
             return equation.clone();
         }
         rewrite_equation(&self.expanded(equation), &|name| {
-            if self.indices.contains(name) && name.to_string() == self.index {
+            if self.is_index(name) && name.to_string() == self.index {
                 let number = Tree::Number(Rational::from_integer(i64::from(by.abs())));
                 let number = if by < 0 { Tree::Negate(Box::new(number)) } else { number };
                 return Some(Tree::Sum(vec![Tree::Symbol(name.clone(), At::default()), number]));
@@ -290,12 +281,12 @@ impl Vocabulary {
         })
     }
 
-    /// The equation with symbols replaced, all at once. A time of an impact takes the states at that impact along,
+    /// Returns the equation with symbols replaced, all at once. A time of an impact takes the states at that impact along,
     /// unless these are replaced by something else.
     pub fn substituted(&self, equation: &Equation, pairs: &[(Name, Tree)]) -> Equation {
         let find = |name: &Name| pairs.iter().find(|(from, _)| from == name).map(|(_, to)| to.clone());
         let timed = any_side(equation, &mut |node| match node {
-            Tree::Symbol(name, _) => self.times.contains(&name.bare()) && find(name).is_some(),
+            Tree::Symbol(name, _) => self.is_time(&name.bare()) && find(name).is_some(),
             _ => false,
         });
         // what an abbreviation stands for is replaced too, unless it is itself
@@ -306,7 +297,7 @@ impl Vocabulary {
                 ..name.clone()
             };
             find(name).or_else(|| match find(&plain) {
-                Some(Tree::Symbol(to, at)) if !self.times.contains(&plain.bare()) => Some(Tree::Symbol(
+                Some(Tree::Symbol(to, at)) if !self.is_time(&plain.bare()) => Some(Tree::Symbol(
                     Name {
                         mark: name.mark.clone(),
                         ..to
@@ -314,7 +305,7 @@ impl Vocabulary {
                     at,
                 )),
                 // A state that an impact does not change is the same with a mark and without.
-                Some(tree) if name.mark == "-" || self.continuous.contains(&plain.bare()) => Some(tree),
+                Some(tree) if name.mark == "-" || self.is_continuous(&plain.bare()) => Some(tree),
                 _ if timed => self.state_moved(name, &find),
                 _ => None,
             })
@@ -322,10 +313,10 @@ impl Vocabulary {
     }
 
     fn state_moved(&self, name: &Name, find: &dyn Fn(&Name) -> Option<Tree>) -> Option<Tree> {
-        if !self.states.contains(&name.bare()) {
+        if !self.is_state(&name.bare()) {
             return None;
         }
-        let family = self.times.first()?;
+        let family = self.times().next()?;
         match find(&Name {
             subscript: name.subscript.clone(),
             ..family.clone()

@@ -1,14 +1,14 @@
 //! What stands in a tree.
 
-use crate::tex::{Equation, Name, Operation, Tree};
+use crate::{Equation, Name, Operation, Tree};
 use std::collections::BTreeSet;
 
-/// Whether any node of the tree passes the test.
+/// Returns true if any node of the tree passes the test.
 pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
     test(tree) || tree.find_below(&mut |part| any(part, test).then_some(())).is_some()
 }
 
-/// Whether any node of either side passes the test.
+/// Returns true if any node of either side passes the test.
 pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
     any(&equation.left, test) || any(&equation.right, test)
 }
@@ -39,8 +39,8 @@ pub fn with_part(tree: &Tree, part: &Tree, new: &Tree) -> Tree {
     }
 }
 
-/// The names in a tree, those of functions too; names of elementary functions are none.
-pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
+/// Adds the names in a tree, those of functions too; names of elementary functions are none.
+pub fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
     any(tree, &mut |node| {
         match node {
             Tree::Symbol(name, _) => {
@@ -55,8 +55,8 @@ pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
     });
 }
 
-/// The number of nodes of a tree.
-pub(super) fn nodes_of(tree: &Tree) -> usize {
+/// Returns the number of nodes of a tree.
+pub fn nodes_of(tree: &Tree) -> usize {
     let mut count = 0;
     any(tree, &mut |_| {
         count += 1;
@@ -65,8 +65,8 @@ pub(super) fn nodes_of(tree: &Tree) -> usize {
     count
 }
 
-/// Whether a name stands anywhere in a tree.
-pub(super) fn speaks_of(tree: &Tree, name: &Name) -> bool {
+/// Returns true if a name stands anywhere in a tree.
+pub fn speaks_of(tree: &Tree, name: &Name) -> bool {
     any(tree, &mut |node| match node {
         Tree::Symbol(other, _) => other == name,
         Tree::Partial { of, by, .. } => of == name || by == name,
@@ -74,16 +74,16 @@ pub(super) fn speaks_of(tree: &Tree, name: &Name) -> bool {
     })
 }
 
-/// Whether an equation holds an operation that passes the test.
-pub(super) fn holds(equation: &Equation, test: &dyn Fn(&Operation) -> bool) -> bool {
+/// Returns true if an equation holds an operation that passes the test.
+pub fn holds(equation: &Equation, test: &dyn Fn(&Operation) -> bool) -> bool {
     any_side(
         equation,
         &mut |node| matches!(node, Tree::Operation(operation, _) if test(operation)),
     )
 }
 
-/// Whether an equation holds an integral without limits.
-pub(super) fn holds_indefinite(equation: &Equation) -> bool {
+/// Returns true if an equation holds an integral without limits.
+pub fn holds_indefinite(equation: &Equation) -> bool {
     holds(equation, &|operation| {
         matches!(operation, Operation::Integral { limits: None, .. })
     })

@@ -1,10 +1,8 @@
 //! Which names are declared, and the first name of a formula that is not.
 
-use super::definition::{base_alone, is_constant, pair_of};
-use super::fault::Unknown;
-use super::nodes::{any, any_side};
-use super::vocabulary::{Map, Vocabulary, index_of};
-use crate::tex::{Name, Tree, nearest};
+use crate::nodes::{any, any_side};
+use crate::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of};
+use crate::{Name, Tree, nearest};
 use std::collections::{BTreeSet, HashSet};
 
 /// Names shown in a message, and names among which the nearest is looked for.
@@ -13,8 +11,15 @@ const MOST_COMPARED: usize = 1000;
 /// Names of one formula that are reported.
 const MOST_REPORTED: usize = 10;
 
+/// A symbol that nothing declares, and the declared one that was probably meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unknown {
+    pub name: Name,
+    pub meant: Option<String>,
+}
+
 /// A name that stands for nothing: where, what to say of it, and the names that are known.
-pub(super) struct Undeclared {
+pub struct Undeclared {
     pub at: usize,
     pub message: String,
     pub known: String,
@@ -34,8 +39,8 @@ impl Undeclared {
     }
 }
 
-impl Vocabulary {
-    /// Whether a name needs no definition: a parameter, an abbreviation, an index, a time or a state at an impact, the
+impl Symbols {
+    /// Returns true if a name needs no definition: a parameter, an abbreviation, an index, a time or a state at an impact, the
     /// running time, a function or one of its derivatives, a state in flight or one of its derivatives, a matrix,
     /// `\pi`, and `e` and `i` where nothing else is declared by that name. A pair such as `\lambda_{1,2}` is known
     /// where `\lambda` is, the conjugate `\bar z` where `z` is declared complex.
@@ -46,7 +51,7 @@ impl Vocabulary {
             || self.conjugated(name).is_some()
     }
 
-    /// The complex symbol, or the imaginary unit, of which a name that is not declared itself is the conjugate, as
+    /// Returns the complex symbol, or the imaginary unit, of which a name that is not declared itself is the conjugate, as
     /// `\bar z` and `z^*` are, and whether it is so an odd number of times.
     pub fn conjugated(&self, name: &Name) -> Option<(Name, bool)> {
         let mut plain = name.clone();
@@ -58,63 +63,51 @@ impl Vocabulary {
         } else if plain.accents.pop()? != r"\overline" {
             return None;
         }
-        match self.complex.contains(&plain) || self.is_unit(&plain) {
+        match self.is_complex(&plain) || self.is_unit(&plain) {
             true => Some((plain, true)),
             false => self.conjugated(&plain).map(|(plain, is_odd)| (plain, !is_odd)),
         }
     }
 
-    /// Whether a name is the imaginary unit.
-    pub(super) fn is_unit(&self, name: &Name) -> bool {
+    /// Returns true if a name is the imaginary unit.
+    pub fn is_unit(&self, name: &Name) -> bool {
         name.base == "i" && is_constant(name) && !self.declares(name)
     }
 
-    /// Whether the vocabulary declares this name.
+    /// Returns true if the table declares this name.
     pub fn declares(&self, name: &Name) -> bool {
         self.is_single(name)
-            || self.running.as_ref() == Some(name)
+            || self.running() == Some(name)
             || self.is_indexed(name)
             || (name.mark.is_empty() && (self.is_function(name) || self.is_in_flight(name)))
             || self.names.matrices.contains(name)
     }
 
-    /// Whether this is the time of an impact, or a state there. A mark without an index, as in `\dot{x}^+`, belongs to
+    /// Returns true if this is the time of an impact, or a state there. A mark without an index, as in `\dot{x}^+`, belongs to
     /// the impact of the index itself.
     pub fn is_indexed(&self, name: &Name) -> bool {
         let marked = matches!(name.mark.as_str(), "-" | "+");
-        let numbered = self.is_index(&name.subscript) || (name.subscript.is_empty() && marked);
+        let numbered = self.counts(&name.subscript) || (name.subscript.is_empty() && marked);
         let bare = name.bare();
-        let is_time = name.mark.is_empty() && self.times.contains(&bare);
-        let is_state = (name.mark.is_empty() || marked) && self.states.contains(&bare);
+        let is_time = name.mark.is_empty() && self.is_time(&bare);
+        let is_state = (name.mark.is_empty() || marked) && self.is_state(&bare);
         numbered && name.primes == 0 && (is_time || is_state)
     }
 
-    /// Whether a subscript numbers an impact or a member of a sequence: `k+1`, or `0` where an index runs.
-    fn is_index(&self, subscript: &str) -> bool {
-        let runs = !self.indices.is_empty();
+    /// Returns true if a subscript numbers an impact or a member of a sequence: `k+1`, or `0` where an index runs.
+    fn counts(&self, subscript: &str) -> bool {
+        let runs = self.indices().next().is_some();
         index_of(subscript, &self.index).is_some()
-            || self
-                .indices
-                .iter()
-                .any(|letter| index_of(subscript, &letter.base).is_some())
+            || self.indices().any(|letter| index_of(subscript, &letter.base).is_some())
             || (runs && subscript.parse::<u16>().is_ok())
     }
 
-    /// Whether this is a declared function, or a derivative of one by primes.
-    pub fn is_function(&self, name: &Name) -> bool {
-        let plain = Name {
-            primes: 0,
-            ..name.clone()
-        };
-        self.functions.iter().any(|(function, _)| *function == plain)
-    }
-
-    /// The function whose derivative this function is, as declared or by its primes.
+    /// Returns the function whose derivative this function is, as declared or by its primes.
     pub fn antiderivative_of(&self, function: &Name) -> Option<Name> {
-        let is_slope = |slope: &Option<Tree>| matches!(slope, Some(Tree::Symbol(slope, _)) if slope == function);
-        let mut declared = self.functions.iter();
+        let is_slope = |slope: Option<&Tree>| matches!(slope, Some(Tree::Symbol(slope, _)) if slope == function);
+        let mut declared = self.functions();
         let before = declared
-            .find(|(_, slope)| is_slope(slope))
+            .find(|(_, slope)| is_slope(*slope))
             .map(|(name, _)| name.clone());
         before.or_else(|| {
             let primes = function.primes.checked_sub(1)?;
@@ -125,7 +118,7 @@ impl Vocabulary {
         })
     }
 
-    /// Whether this is a state in flight, or its first or second derivative.
+    /// Returns true if this is a state in flight, or its first or second derivative.
     pub fn is_in_flight(&self, name: &Name) -> bool {
         let plain = Name {
             primes: 0,
@@ -133,16 +126,16 @@ impl Vocabulary {
             ..name.clone()
         };
         let derivatives = |state: &Name| [state.clone(), state.dotted(), state.dotted().dotted()];
-        self.states.iter().any(|state| derivatives(state).contains(&plain))
+        self.states().any(|state| derivatives(state).contains(&plain))
     }
 
-    /// Whether this is a state, not the derivative of the last one.
+    /// Returns true if this is a state, not the derivative of the last one.
     fn is_state_itself(&self, name: &Name) -> bool {
-        name.primes == 0 && self.states.contains(&name.bare())
+        name.primes == 0 && self.is_state(&name.bare())
     }
 
-    /// The names of the formula that stand for nothing, each once; `extra` are names that are known besides.
-    pub(super) fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Vec<Undeclared> {
+    /// Returns the names of the formula that stand for nothing, each once; `extra` are names that are known besides.
+    pub fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Vec<Undeclared> {
         let mut found: Vec<Undeclared> = Vec::new();
         let mut reported: HashSet<Name> = HashSet::new();
         self.each_unbound(tree, &mut Vec::new(), &mut |node| {
@@ -162,7 +155,7 @@ impl Vocabulary {
         found
     }
 
-    /// Whether any node passes the test, but for the letters that operations bind, names that these number, and the
+    /// Returns true if any node passes the test, but for the letters that operations bind, names that these number, and the
     /// `T` of a transpose.
     fn each_unbound(&self, tree: &Tree, bound: &mut Vec<Name>, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
         let is_bound = |name: &Name| {
@@ -196,8 +189,8 @@ impl Vocabulary {
         }
     }
 
-    /// Whether an exponent is that of a transpose.
-    pub(super) fn transposes(&self, exponent: &Tree) -> bool {
+    /// Returns true if an exponent is that of a transpose.
+    pub fn transposes(&self, exponent: &Tree) -> bool {
         matches!(exponent, Tree::Symbol(name, _)
             if matches!(name.base.as_str(), "T" | r"\top") && *name == base_alone(name) && !self.knows(name))
     }
@@ -246,18 +239,18 @@ impl Vocabulary {
     }
 
     fn is_time_of_impact(&self, name: &Name) -> bool {
-        self.times.contains(&name.bare()) && self.is_indexed(name)
+        self.is_time(&name.bare()) && self.is_indexed(name)
     }
 
-    /// The first symbol of the formula that may be complex, left out what stands in absolute values, real and imaginary
+    /// Returns the first symbol of the formula that may be complex, left out what stands in absolute values, real and imaginary
     /// parts and arguments, which are real; `extra` are complex besides.
-    pub(super) fn complex_in<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool) -> Option<&'t Name> {
+    pub fn complex_in<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool) -> Option<&'t Name> {
         match tree {
             Tree::Symbol(name, _) => {
                 let single = pair_of(name);
-                let listed = self.complex.contains(single.as_ref().unwrap_or(name));
-                let mut abbreviated = self.abbreviations.iter().filter(|(known, _)| known == name);
-                let is_complex = abbreviated.any(|(_, meaning)| self.complex_in(meaning, extra).is_some());
+                let listed = self.is_complex(single.as_ref().unwrap_or(name));
+                let meaning = self.abbreviation(name);
+                let is_complex = meaning.is_some_and(|meaning| self.complex_in(meaning, extra).is_some());
                 let is_complex = listed || is_complex || self.is_unit(name) || self.conjugated(name).is_some();
                 (is_complex || extra(name)).then_some(name)
             }
@@ -266,33 +259,33 @@ impl Vocabulary {
         }
     }
 
-    /// Whether a complex symbol or the imaginary unit stands in a formula, left out what is real whatever stands
+    /// Returns true if a complex symbol or the imaginary unit stands in a formula, left out what is real whatever stands
     /// in it.
     pub fn may_be_complex(&self, tree: &Tree) -> bool {
         self.complex_in(tree, &|_| false).is_some()
     }
 
-    /// Whether a complex symbol, the conjugate of one or the imaginary unit stands anywhere in a formula.
-    pub(super) fn speaks_of_complex(&self, tree: &Tree) -> bool {
+    /// Returns true if a complex symbol, the conjugate of one or the imaginary unit stands anywhere in a formula.
+    pub fn speaks_of_complex(&self, tree: &Tree) -> bool {
         any(tree, &mut |node| match node {
             Tree::Symbol(name, _) => {
                 let single = pair_of(name);
-                let is_listed = self.complex.contains(single.as_ref().unwrap_or(name));
+                let is_listed = self.is_complex(single.as_ref().unwrap_or(name));
                 is_listed || self.is_unit(name) || self.conjugated(name).is_some()
             }
             _ => false,
         })
     }
 
-    /// Whether a name is the conjugate of another.
-    pub(super) fn is_conjugate_of(&self, name: &Name, of: &Name) -> bool {
+    /// Returns true if a name is the conjugate of another.
+    pub fn is_conjugate_of(&self, name: &Name, of: &Name) -> bool {
         self.conjugated(name).is_some_and(|(plain, _)| plain == *of)
     }
 
-    /// What to say of a name that nothing declares.
-    pub(super) fn unknown(&self, name: &Name, at: usize) -> Undeclared {
+    /// Returns what to say of a name that nothing declares.
+    pub fn unknown(&self, name: &Name, at: usize) -> Undeclared {
         let found = name.to_string();
-        let all = self.all();
+        let all = self.shown();
         let plain: Vec<String> = all
             .iter()
             .take(MOST_COMPARED)
@@ -323,7 +316,7 @@ impl Vocabulary {
     }
 
     /// Every declared name, and how it is shown in a message.
-    fn all(&self) -> Vec<(Name, String)> {
+    fn shown(&self) -> Vec<(Name, String)> {
         let plain = |name: &Name| (name.clone(), name.to_string());
         let indexed = |name: &Name| {
             let subscript = self.index.clone();
@@ -332,30 +325,22 @@ impl Vocabulary {
                 ..name.clone()
             })
         };
-        let functions = self
-            .functions
-            .iter()
-            .map(|(name, _)| (name.clone(), format!("{name}(t)")));
-        let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
-        let singles = self
-            .parameters
-            .iter()
-            .chain(abbreviations)
-            .chain(&self.indices)
-            .map(plain);
+        let functions = self.functions().map(|(name, _)| (name.clone(), format!("{name}(t)")));
+        let abbreviations = self.abbreviations().map(|(name, _)| name);
+        let singles = self.parameters().chain(abbreviations).chain(self.indices()).map(plain);
         singles
-            .chain(self.times.iter().chain(&self.states).map(indexed))
+            .chain(self.times().chain(self.states()).map(indexed))
             .chain(functions)
             .collect()
     }
 
-    /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from. Where
+    /// Returns true if a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from. Where
     /// no maps are declared, the premises may give the derivative of any time or state at an impact by another.
-    pub(super) fn has_partial(&self, of: &Name, by: &Name) -> bool {
-        if self.maps.is_empty() {
+    pub fn has_partial(&self, of: &Name, by: &Name) -> bool {
+        if self.maps().next().is_none() {
             return self.is_indexed(of) && self.is_indexed(by);
         }
-        let steps: Vec<(Vec<Name>, Vec<Name>)> = self.maps.iter().filter_map(|(_, map)| self.step(map)).collect();
+        let steps: Vec<(Vec<Name>, Vec<Name>)> = self.maps().filter_map(|(_, map)| self.step(map)).collect();
         let (of, mut reached) = (self.quantity(of), vec![self.quantity(by)]);
         if steps
             .iter()
@@ -374,7 +359,7 @@ impl Vocabulary {
         reached.iter().skip(1).any(|name| *name == of)
     }
 
-    /// What a map leads to and what it starts from, times before states as declared: the quantities at the last and at
+    /// Returns what a map leads to and what it starts from, times before states as declared: the quantities at the last and at
     /// the first impact that its equations name. `None` for a product of maps, and where there are no two impacts.
     pub fn step(&self, map: &Map) -> Option<(Vec<Name>, Vec<Name>)> {
         let name = |tree: &Tree| match tree {
@@ -395,7 +380,7 @@ impl Vocabulary {
                 if let Some(name) = name(node)
                     && let Some(index) = self.impact(&name)
                 {
-                    let state = self.states.iter().position(|state| *state == name.bare());
+                    let state = self.states().position(|state| *state == name.bare());
                     met.insert((index, state.map_or(0, |rank| rank + 1), name));
                 }
                 false
@@ -408,7 +393,7 @@ impl Vocabulary {
 
     /// The name of a quantity: a state without a mark is the value just before the impact.
     fn quantity(&self, name: &Name) -> Name {
-        let unchanged = name.mark == "-" || self.continuous.contains(&name.bare());
+        let unchanged = name.mark == "-" || self.is_continuous(&name.bare());
         let mark = if unchanged { String::new() } else { name.mark.clone() };
         Name { mark, ..name.clone() }
     }
