@@ -1,8 +1,8 @@
 //! Which names are declared, and the first name of a formula that is not.
 
-use crate::nodes::{any, any_side};
-use crate::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of};
-use crate::{Name, Tree, nearest};
+use super::nodes::{any, any_side};
+use super::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of};
+use super::{Name, Tree, nearest};
 use std::collections::{BTreeSet, HashSet};
 
 /// Names shown in a message, and names among which the nearest is looked for.

@@ -1,6 +1,6 @@
 //! What stands in a tree.
 
-use crate::{Equation, Name, Operation, Tree};
+use super::{Equation, Name, Operation, Tree};
 use std::collections::BTreeSet;
 
 /// Returns true if any node of the tree passes the test.

@@ -1,8 +1,8 @@
 //! Substitutions in a tree, and what an equation is said of.
 
-use crate::nodes::{any, any_side};
-use crate::symbols::{Symbols, index_of, subscript_of};
-use crate::{At, Condition, Equation, Name, Operation, Tree, evaluate};
+use super::nodes::{any, any_side};
+use super::symbols::{Symbols, index_of, subscript_of};
+use super::{At, Condition, Equation, Name, Operation, Tree, evaluate};
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,7 +1,7 @@
 //! What names stand for.
 
-use crate::nodes::speaks_of;
-use crate::{Equation, Name, Names, Tree};
+use super::nodes::speaks_of;
+use super::{Equation, Name, Names, Tree};
 use std::collections::{BTreeMap, HashMap};
 use std::mem::{Discriminant, discriminant};
 
