@@ -9,7 +9,6 @@ use super::elementary::Elementary;
 use super::error::Fault;
 use super::part::{Form, Part, starts_factor};
 use super::reader::{Reader, product};
-use super::symbol::base;
 use super::token::{Kind, Token};
 use super::{At, Name, Operation, Tree};
 
@@ -272,7 +271,7 @@ fn is_call(tree: &Tree) -> bool {
 }
 
 fn is_pi(name: &Name) -> bool {
-    *name == base("\\pi")
+    *name == Name::plain("\\pi")
 }
 
 /// Whether this is an angle as [`Reader::in_degrees`] writes it.

@@ -3,9 +3,8 @@
 use super::command::ABSOLUTE;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
-use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
-use super::{At, Tree};
+use super::{At, Name, Tree};
 
 impl<'a> Reader<'a> {
     /// The content of the visible bracket that stands next, and its place.
@@ -30,7 +29,7 @@ impl<'a> Reader<'a> {
         {
             self.next += 2;
         }
-        Ok(Box::new(Tree::Call(base(ABSOLUTE), argument, At(open.at))))
+        Ok(Box::new(Tree::Call(Name::plain(ABSOLUTE), argument, At(open.at))))
     }
 
     /// Takes an opening bracket of any kind but a bar or what holds rows.

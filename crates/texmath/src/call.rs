@@ -6,7 +6,6 @@ use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
 use super::reader::{Reader, product};
-use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, DoubtKind, Invariant, Name, OtherReading, Tree};
 
@@ -59,7 +58,10 @@ impl<'a> Reader<'a> {
                 name.accents.push("\\overline".to_owned());
                 self.symbol(name, at)
             }
-            _ => self.carried(Box::new(Tree::Call(base(CONJUGATE), tree, At(at))), Form::Bracketed),
+            _ => self.carried(
+                Box::new(Tree::Call(Name::plain(CONJUGATE), tree, At(at))),
+                Form::Bracketed,
+            ),
         }
     }
 
@@ -330,9 +332,9 @@ impl<'a> Reader<'a> {
         let mut name = match (letters.is_empty(), self.take(Kind::Word)) {
             (false, _) => {
                 self.next += letters.len();
-                base(&letters)
+                Name::plain(&letters)
             }
-            (true, Some(word)) => base(word.text),
+            (true, Some(word)) => Name::plain(word.text),
             (true, None) => self.bare_name()?,
         };
         let power = self.scripts(&mut name)?;
@@ -354,7 +356,7 @@ const FOREIGN_FUNCTIONS: [&str; 19] = [
 
 /// `\log_a x` = ln x / ln a.
 fn logarithm(of_base: Box<Tree>, argument: Box<Tree>, at: usize) -> Box<Tree> {
-    let [above, below] = [argument, of_base].map(|of| Box::new(Tree::Call(base(r"\ln"), of, At(at))));
+    let [above, below] = [argument, of_base].map(|of| Box::new(Tree::Call(Name::plain(r"\ln"), of, At(at))));
     Box::new(Tree::Quotient(above, below, At(at)))
 }
 

@@ -354,7 +354,7 @@ mod tests {
     #[test]
     fn sets_agree_with_what_is_declared() {
         let names = Names {
-            complex: vec![super::super::symbol::base("z")],
+            complex: vec![crate::Name::plain("z")],
             ..names()
         };
         let read = |tex: &str| read_conditions(tex, &names).map(|conditions| conditions.len());

@@ -1,6 +1,5 @@
 //! The elementary functions: one table, from which all parts of the program take what they know of them.
 
-use super::symbol::base;
 use super::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
 use num_complex::Complex64;
 use std::sync::OnceLock;
@@ -461,7 +460,7 @@ impl Elementary {
         };
         Box::new(match reads {
             Some(tree) => with(tree, "x", &argument, At(at)),
-            None => Tree::Call(base(self.command), argument, At(at)),
+            None => Tree::Call(Name::plain(self.command), argument, At(at)),
         })
     }
 
@@ -586,7 +585,7 @@ mod tests {
     }
 
     fn at_x() -> Tree {
-        Tree::Symbol(base("x"), At::default())
+        Tree::Symbol(Name::plain("x"), At::default())
     }
 
     #[test]

@@ -2,9 +2,8 @@
 
 use super::error::Fault;
 use super::reader::Reader;
-use super::symbol::base;
 use super::token::{Kind, Token};
-use super::{At, Tree};
+use super::{At, Name, Tree};
 use num_traits::Zero;
 use numbers::{Field, Rational};
 
@@ -116,7 +115,7 @@ impl Reader<'_> {
         };
         self.next += 1;
         let tree = match token.kind {
-            Kind::Letter => Box::new(Tree::Symbol(base(token.text), At(token.at))),
+            Kind::Letter => Box::new(Tree::Symbol(Name::plain(token.text), At(token.at))),
             _ => {
                 let tree = self.sum()?;
                 self.close_brace(token.at).map(|()| tree)?

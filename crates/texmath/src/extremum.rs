@@ -4,9 +4,8 @@ use super::command::ABSOLUTE;
 use super::error::Fault;
 use super::part::{Form, Part};
 use super::reader::Reader;
-use super::symbol::base;
 use super::token::Kind;
-use super::{At, Tree};
+use super::{At, Name, Tree};
 use numbers::{Field, Rational};
 
 /// The most arguments of one maximum.
@@ -65,7 +64,7 @@ impl Tree {
 
 fn of_two(one: Tree, other: Tree, is_largest: bool, at: usize) -> Tree {
     let difference = Tree::Sum(vec![one.clone(), Tree::Negate(Box::new(other.clone()))]);
-    let distance = Tree::Call(base(ABSOLUTE), Box::new(difference), At(at));
+    let distance = Tree::Call(Name::plain(ABSOLUTE), Box::new(difference), At(at));
     let distance = match is_largest {
         true => distance,
         false => Tree::Negate(Box::new(distance)),

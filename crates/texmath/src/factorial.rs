@@ -4,9 +4,8 @@ use super::command::{ABSOLUTE, DOUBLE_FACTORIAL, FACTORIAL};
 use super::error::Fault;
 use super::part::{Form, Part};
 use super::reader::Reader;
-use super::symbol::base;
 use super::token::Kind;
-use super::{At, Operation, Relation, Tree};
+use super::{At, Name, Operation, Relation, Tree};
 use numbers::{Field, Rational};
 
 /// The largest integer whose factorial is read as a number: that of the next is no `i64`.
@@ -66,7 +65,7 @@ fn factorial(of: Tree, step: usize, at: usize) -> Tree {
     let name = if step == 1 { FACTORIAL } else { DOUBLE_FACTORIAL };
     match value {
         Some(value) => Tree::Number(Rational::from_integer(value)),
-        None => Tree::Call(base(name), Box::new(of), At(at)),
+        None => Tree::Call(Name::plain(name), Box::new(of), At(at)),
     }
 }
 

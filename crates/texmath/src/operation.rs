@@ -4,7 +4,6 @@ use super::error::Fault;
 use super::lexer::NO_BRACKET;
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
-use super::symbol::base;
 use super::token::{Bracket, Kind, Rows, Token};
 use super::{
     At, Case, Condition, DoubtKind, Doubts, Equation, Invariant, Name, Operation, OtherReading, Relation, Series, Tree,
@@ -363,7 +362,7 @@ impl<'a> Reader<'a> {
             let value = self.tokens.get(single).copied();
             let tree = match value.map(|token| (token.kind, token)) {
                 Some((Kind::Number, token)) => super::atom::value(token).map(Tree::Number)?,
-                Some((Kind::Letter, token)) => Tree::Symbol(base(token.text), At(token.at)),
+                Some((Kind::Letter, token)) => Tree::Symbol(Name::plain(token.text), At(token.at)),
                 _ => return Err(self.instead_of("a number or a letter")),
             };
             self.next += 2 + 2 * braced;
@@ -553,7 +552,7 @@ impl<'a> Reader<'a> {
         let (mut met, mut outside) = (Vec::new(), Vec::new());
         symbols(of, &mut met);
         limits.into_iter().for_each(|limit| symbols(limit, &mut outside));
-        let constants = ["e", "i", "\\pi"].map(base);
+        let constants = ["e", "i", "\\pi"].map(Name::plain);
         let integrated: Vec<&Name> = met.iter().filter(|name| self.integrated.contains(name)).collect();
         let free: Vec<&Name> = met
             .iter()
@@ -593,7 +592,7 @@ impl<'a> Reader<'a> {
         let by = self.full_name()?;
         match self.integral.replace(Some(by)) {
             Some(None) => Ok(Some(Part {
-                tree: Box::new(Tree::Symbol(base(DIFFERENTIAL), At(at))),
+                tree: Box::new(Tree::Symbol(Name::plain(DIFFERENTIAL), At(at))),
                 form: Form::Plain,
             })),
             _ => {
@@ -970,7 +969,7 @@ fn from_outside(integral: &Tree) -> Option<Tree> {
 fn may_be_power(upper: &Tree) -> bool {
     match upper {
         Tree::Number(value) => value.to_integer().is_some_and(|value| value > 1),
-        Tree::Symbol(name, _) => *name != base("\\pi"),
+        Tree::Symbol(name, _) => *name != Name::plain("\\pi"),
         _ => false,
     }
 }
@@ -1046,7 +1045,7 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
                 return None;
             };
             let half_turn = Tree::Number(Rational::from_integer(180));
-            let unit = printed_unit(first, text).filter(|_| *pi == base("\\pi") && **below == half_turn)?;
+            let unit = printed_unit(first, text).filter(|_| *pi == Name::plain("\\pi") && **below == half_turn)?;
             let above = Tree::Product(vec![unit, factors.get(1)?.clone()]);
             Some(Tree::Quotient(Box::new(above), below.clone(), *at))
         }
@@ -1106,7 +1105,7 @@ fn without_differential(tree: Tree) -> Option<Tree> {
 }
 
 fn is_differential(tree: &Tree) -> bool {
-    matches!(tree, Tree::Symbol(name, _) if *name == base(DIFFERENTIAL))
+    matches!(tree, Tree::Symbol(name, _) if *name == Name::plain(DIFFERENTIAL))
 }
 
 fn mentions(tree: &Tree, name: &Name) -> bool {

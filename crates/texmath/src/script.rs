@@ -5,7 +5,6 @@ use super::exponent::Exponent;
 use super::part::{Form, Part};
 use super::reader::Reader;
 use super::subscript::{canonical, plain, subscript_text};
-use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, Name, Tree};
 use numbers::{Field, Rational};
@@ -116,11 +115,11 @@ impl<'a> Reader<'a> {
         self.next += length;
         let shown = part.tree.to_string();
         let is_angle = match &*part.tree {
-            Tree::Symbol(name, _) => ANGLES.iter().any(|angle| *name == base(angle)),
+            Tree::Symbol(name, _) => ANGLES.iter().any(|angle| *name == Name::plain(angle)),
             tree => matches!(tree, Tree::Number(_)),
         };
         let is_unit = |token: Token<'_>| token.kind == Kind::Number || matches!(token.text, "C" | "F" | "K");
-        let of = Tree::Product(vec![*part.tree, Tree::Symbol(base("\\pi"), At(at))]);
+        let of = Tree::Product(vec![*part.tree, Tree::Symbol(Name::plain("\\pi"), At(at))]);
         let half_turn = Tree::Number(Rational::from_integer(180));
         let angle = Tree::Quotient(Box::new(of), Box::new(half_turn), At(at));
         if self.first_printed().is_some_and(is_unit) {
@@ -183,7 +182,7 @@ impl<'a> Reader<'a> {
         let text = || content.iter().map(plain).collect::<String>();
         let mark = || Ok(Some(Superscript::Mark(text())));
         // The base of the exponential function carries no marks.
-        let name = on.filter(|name| **name != base("e"));
+        let name = on.filter(|name| **name != Name::plain("e"));
         match (kinds.as_slice(), name) {
             ([], _) => Err(Fault::unexpected(at, "nothing", "a superscript")),
             ([Kind::Minus | Kind::Plus | Kind::Star] | [Kind::Word], _) => mark(),

@@ -47,7 +47,7 @@ impl<'a> Reader<'a> {
             // TeX takes one letter where there are no braces, whatever word it begins.
             Some(token) if token.kind == Kind::Letter => {
                 self.next += 1;
-                base(token.text)
+                Name::plain(token.text)
             }
             _ => self.bare_name()?,
         };
@@ -61,7 +61,7 @@ impl<'a> Reader<'a> {
         let run = self.letters(true);
         if let Some(word) = self.names.word_at_start(&run).map(str::to_owned) {
             self.next += word.len();
-            return Ok(base(&word));
+            return Ok(Name::plain(&word));
         }
         if let Some(function) = Elementary::at_start(&run) {
             let instead = "write it with a backslash or a bracket behind it, or its letters apart for a product";
@@ -69,7 +69,7 @@ impl<'a> Reader<'a> {
             return Err(Fault::ambiguous(first.at, &format!("`{found}`"), instead));
         }
         self.next += 1;
-        Ok(base(first.text))
+        Ok(Name::plain(first.text))
     }
 
     /// The Latin letters that stand next; where `close`, only up to the first gap.
@@ -90,20 +90,12 @@ impl<'a> Reader<'a> {
 
     fn word(&self, token: Token<'a>) -> Result<Name, Fault> {
         match token.text.len() == 1 || self.names.words.iter().any(|word| word == token.text) {
-            true => Ok(base(token.text)),
+            true => Ok(Name::plain(token.text)),
             false => {
                 let found = format!("`{}`", token.text);
                 Err(Fault::new(token.at, Reason::UnknownWord { found }))
             }
         }
-    }
-}
-
-/// The name that is `text` alone.
-pub(super) fn base(text: &str) -> Name {
-    Name {
-        base: text.to_owned(),
-        ..Name::default()
     }
 }
 

@@ -20,6 +20,14 @@ pub struct Name {
 }
 
 impl Name {
+    /// The name of this letter, word or command with nothing at it.
+    pub fn plain(base: &str) -> Self {
+        Self {
+            base: base.to_owned(),
+            ..Self::default()
+        }
+    }
+
     /// The name without subscript, mark and primes.
     pub fn bare(&self) -> Self {
         Self {
