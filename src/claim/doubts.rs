@@ -227,7 +227,7 @@ impl Sheet {
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
         let of = match kind {
             DoubtKind::Argument { of, .. } => of,
-            DoubtKind::DerivativeBeforeBracket { of, inside } => {
+            DoubtKind::DerivativeBeforeBracket { of, inside, .. } => {
                 return !(self.is_of_impacts(of) && matches!(inside, Tree::Sum(_)));
             }
             DoubtKind::PowerOfFunction { of, .. } => return self.is_given(of, below),

@@ -1,6 +1,7 @@
 //! Conditions on symbols: relations, integers, intervals.
 
 use super::error::{Fault, Reason};
+use super::layout::Plain;
 use super::reader::Reader;
 use super::statement::{Statement, divided};
 use super::token::{Bracket, Kind, Set};
@@ -13,7 +14,8 @@ use numbers::{Field, Rational};
 /// `m, n \ge 0`, is said of each; `(x, y) \ne (0, 0)` of real numbers says that their differences are not all 0.
 pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadError> {
     let read = || {
-        let statements = divided(tex)?;
+        let plain = Plain::of(tex);
+        let statements = divided(&plain.text, &plain)?;
         if statements.is_empty() {
             return Err(Fault::new(0, Reason::NoCondition));
         }

@@ -2,10 +2,11 @@
 
 use super::conditions::conditions_of;
 use super::error::{Fault, Reason};
+use super::layout::Plain;
 use super::reader::Reader;
 use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Condition, Doubts, Equation, Name, Names, ReadError, Relation, Tree};
+use super::{At, Condition, Doubt, DoubtKind, Doubts, Equation, Name, Names, ReadError, Relation, Tree};
 
 /// What a display says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,7 +56,8 @@ pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
 /// Reads an expression, without a relation.
 pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
     let read = || {
-        let mut reader = single(tex, names)?;
+        let plain = Plain::of(tex);
+        let mut reader = single(&plain, names)?;
         let tree = reader.sum()?;
         reader.finish("the end of the expression").map(|()| *tree)
     };
@@ -65,7 +67,8 @@ pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
 /// Reads one name, such as `\dot{Z}_{k+1}^-`, as a formula would hold it.
 pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
     let read = || {
-        let mut reader = single(tex, names)?;
+        let plain = Plain::of(tex);
+        let mut reader = single(&plain, names)?;
         let name = reader.full_name()?;
         reader.finish("the end of the name").map(|()| name)
     };
@@ -74,7 +77,8 @@ pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
 
 /// The functions that a display gives by equations `f(x) = ...`, each with its argument.
 pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
-    let statements = divided(tex).unwrap_or_default();
+    let plain = Plain::of(tex);
+    let statements = divided(&plain.text, &plain).unwrap_or_default();
     let given = |statement: Statement<'_>| {
         let mut reader = Reader::new(statement.tokens, names);
         let name = reader.full_name().ok()?;
@@ -89,7 +93,9 @@ pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
 
 fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
     let (mut display, mut conditions, mut stated) = (Display::default(), Vec::new(), 0);
-    let statements = divided(tex)?;
+    let plain = Plain::of(tex);
+    let (text, remark) = plain.without_remark();
+    let statements = divided(text, &plain)?;
     end_at_conditions(&statements)?;
     for statement in statements {
         let (tokens, stands) = (&statement.tokens, statement.stands);
@@ -116,6 +122,12 @@ fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
     }
     if display.equations.is_empty() {
         return Err(Fault::new(0, Reason::NoEquation));
+    }
+    if let Some(remark) = remark {
+        let kind = DoubtKind::Guess(format!("the remark `{remark}`: is it a condition?"));
+        let at = At(plain.source(text.len()));
+        let doubt = |equation: &mut Equation| equation.doubts.0.push(Doubt { kind: kind.clone(), at });
+        display.equations.iter_mut().chain(&mut display.beside).for_each(doubt);
     }
     if let Some(at) = display.conditions_at.filter(|_| stated > 1) {
         let instead = "give each statement an entry of its own, or write it as an `assume`";
@@ -159,10 +171,11 @@ fn is_number_of_display(tokens: &[Token<'_>]) -> bool {
     kinds == [open, Kind::Number, close] || kinds == [open, Kind::Number, Kind::Letter, close]
 }
 
-fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
-    let mut all = divided(tex)?.into_iter();
+fn single<'a>(plain: &'a Plain<'_>, names: &'a Names) -> Result<Reader<'a>, Fault> {
+    let mut all = divided(&plain.text, plain)?.into_iter();
     let Some(Statement { tokens, .. }) = all.next() else {
-        return Err(Fault::unexpected(tex.trim_end().len(), "nothing", "a formula"));
+        let end = plain.source(plain.text.trim_end().len());
+        return Err(Fault::unexpected(end, "nothing", "a formula"));
     };
     match all.next().and_then(|more| more.tokens.first().copied()) {
         Some(token) => Err(Fault::unexpected(token.at, token.text, "the end")),

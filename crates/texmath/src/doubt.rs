@@ -17,10 +17,14 @@ pub struct Doubt {
 pub enum DoubtKind {
     /// `V(x^2)`, taken as a product.
     Argument { of: Name, inside: Tree },
-    /// `\frac{d}{dx}[F]_{x=a}`, taken as the derivative of the value.
-    DerivativeOfValue { of: Tree },
-    /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as a product.
-    DerivativeBeforeBracket { of: Tree, inside: Tree },
+    /// `\frac{d}{dx}[F]_{x=a}`, taken as the derivative at that point; where no reading is listed, as that of the value.
+    DerivativeOfValue { of: Tree, readings: Vec<OtherReading> },
+    /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as the derivative at that point; where no reading is listed, as a product.
+    DerivativeBeforeBracket {
+        of: Tree,
+        inside: Tree,
+        readings: Vec<OtherReading>,
+    },
     /// `\sum_k F + G`, `\frac{d}{dx} F + G`, taken as one that ends at the sign.
     Reach { letter: Name, readings: Vec<OtherReading> },
     /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
@@ -58,9 +62,11 @@ impl DoubtKind {
     /// The other readings of the place; none where not all are known.
     pub fn readings(&self) -> &[OtherReading] {
         match self {
-            Self::Reach { readings, .. } | Self::Nesting { readings, .. } | Self::PowerOfFunction { readings, .. } => {
-                readings
-            }
+            Self::Reach { readings, .. }
+            | Self::Nesting { readings, .. }
+            | Self::PowerOfFunction { readings, .. }
+            | Self::DerivativeOfValue { readings, .. }
+            | Self::DerivativeBeforeBracket { readings, .. } => readings,
             _ => &[],
         }
     }
@@ -71,7 +77,9 @@ impl DoubtKind {
         match self {
             // for a product of one factor nobody writes brackets
             Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
-            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } => false,
+            Self::DerivativeOfValue { readings, .. } | Self::DerivativeBeforeBracket { readings, .. } => {
+                !readings.is_empty()
+            }
             Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) => false,
             _ => true,
         }
@@ -87,13 +95,13 @@ impl fmt::Display for DoubtKind {
                     "`{of}({inside})`: the value of `{of}` at `{inside}`, or `{of}` times `{inside}`?"
                 )
             }
-            Self::DerivativeOfValue { of } => {
+            Self::DerivativeOfValue { of, .. } => {
                 write!(
                     f,
                     "the derivative of `{of}`: taken at that point, or of the value there?"
                 )
             }
-            Self::DerivativeBeforeBracket { of, inside } => {
+            Self::DerivativeBeforeBracket { of, inside, .. } => {
                 write!(
                     f,
                     "`({inside})` behind `{of}`: where the derivative is taken, or a factor?"

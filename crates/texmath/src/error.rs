@@ -122,6 +122,12 @@ impl Fault {
         Self::new(at, Reason::Unclosed { open })
     }
 
+    /// The same fault at another place.
+    pub(super) fn moved(self, to: impl Fn(usize) -> usize) -> Self {
+        let at = to(self.at);
+        Self { at, ..self }
+    }
+
     /// The error as the user sees it: line and column counted in `tex`.
     pub(super) fn located(self, tex: &str) -> ReadError {
         let Place { line, column } = Place::of(tex, self.at);

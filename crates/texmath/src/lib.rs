@@ -55,6 +55,7 @@ mod evaluate;
 mod exponent;
 mod extremum;
 mod factorial;
+mod layout;
 mod lexer;
 mod mathml;
 mod names;

@@ -663,9 +663,7 @@ impl<'a> Reader<'a> {
         };
         let first = letters.first().filter(|_| is_operator);
         self.derivative = first.map(|(by, _)| (self.next, by.clone()));
-        if letters.iter().any(|(by, _)| self.may_be_taken_later(&of, by)) {
-            self.doubt(at, DoubtKind::DerivativeOfValue { of: (*of).clone() });
-        }
+        let is_doubtful = letters.iter().any(|(by, _)| self.may_be_taken_later(&of, by));
         let derived = |of: Tree, (by, order): (Name, u32)| {
             let value = Tree::Symbol(by.clone(), At(at));
             let operation = Operation::Derivative {
@@ -676,8 +674,48 @@ impl<'a> Reader<'a> {
             };
             *boxed(operation, at)
         };
+        let value = match letters.as_slice() {
+            [(by, _)] if is_doubtful => self.value_of(&of, by),
+            _ => None,
+        };
         // the last letter below is the first by which is differentiated
-        Ok(Some(letters.into_iter().rev().fold(*of, derived)))
+        let of_value = letters.iter().cloned().rev().fold((*of).clone(), derived);
+        let taken = match value {
+            Some((inside, by, there)) => {
+                let derivative = letters.into_iter().fold(inside, derived);
+                Some(at_point(&derivative, &by, there, at))
+            }
+            None => None,
+        };
+        if is_doubtful {
+            let other = |taken: &Tree| OtherReading {
+                taken: taken.clone(),
+                other: of_value.clone(),
+            };
+            let readings = taken.iter().map(other).collect();
+            self.doubt(at, DoubtKind::DerivativeOfValue { of: *of, readings });
+        }
+        Ok(Some(taken.unwrap_or(of_value)))
+    }
+
+    /// Parts a value at a point, `[F]_{x=a}` or `R(a)`, into the formula in a letter, the letter and the point.
+    fn value_of(&self, of: &Tree, by: &Name) -> Option<(Tree, Name, Tree)> {
+        match of {
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Derivative {
+                    of,
+                    by: own,
+                    order: 0,
+                    at,
+                } if own == by => Some((of.clone(), own.clone(), at.clone())),
+                _ => None,
+            },
+            Tree::Call(name, argument, at) if self.names.is_function(name) && !argument.has_free(by) => {
+                let letter = Box::new(Tree::Symbol(by.clone(), *at));
+                Some((Tree::Call(name.clone(), letter, *at), by.clone(), (**argument).clone()))
+            }
+            _ => None,
+        }
     }
 
     /// Whether `of`, differentiated by a letter, is the value at a point that may be put in after that: `[F]_{x=a}`, or `R(a)`.
@@ -842,6 +880,35 @@ impl<'a> Reader<'a> {
             at: value,
         };
         Ok(boxed(operation, at))
+    }
+
+    /// Returns the value of a derivative at the point in brackets right behind it, `\frac{dV}{dx}(a)` or `(F)'(a)`; a sum or a
+    /// power there is a factor.
+    pub(super) fn value_behind(&mut self, before: Option<&Tree>, inside: &Part, at: usize) -> Option<Tree> {
+        let of = before?;
+        let by = match of {
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Derivative { by, order: 1.., .. } => by.clone(),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        if inside.form != Form::Bracketed
+            || matches!(*inside.tree, Tree::Sum(_) | Tree::Power(..) | Tree::RealPower(..))
+        {
+            return None;
+        }
+        let taken = at_point(of, &by, (*inside.tree).clone(), at);
+        let kind = DoubtKind::DerivativeBeforeBracket {
+            of: of.clone(),
+            inside: (*inside.tree).clone(),
+            readings: vec![OtherReading {
+                taken: taken.clone(),
+                other: Tree::Product(vec![of.clone(), (*inside.tree).clone()]),
+            }],
+        };
+        self.doubt(at, kind);
+        Some(taken)
     }
 
     /// `\vec{a} \times \vec{b}` and `\vec{a} \cdot \vec{b}`, where a side is plainly no number; else `None`.

@@ -262,6 +262,13 @@ impl<'a> Reader<'a> {
                     Kind::Open(Bracket::Round | Bracket::Square | Bracket::Curly)
                 )
             {
+                if let Some(value) = self.value_behind(factors.last(), &factor, token.at) {
+                    factors.pop();
+                    factors.push(value);
+                    form = Form::Knot;
+                    self.skip_empty();
+                    continue;
+                }
                 self.doubt_bracket(factors.last(), &factor.tree, token.at);
             }
             if token.kind != Kind::Slash {
@@ -341,11 +348,19 @@ impl<'a> Reader<'a> {
         };
         let kind = match letter {
             Some(Tree::Symbol(of, _)) => DoubtKind::Argument { of: of.clone(), inside },
-            Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside },
+            Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket {
+                of: of.clone(),
+                inside,
+                readings: Vec::new(),
+            },
             Some(of @ Tree::Operation(operation, _))
                 if matches!(**operation, Operation::Derivative { order: 1.., .. }) =>
             {
-                DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside }
+                DoubtKind::DerivativeBeforeBracket {
+                    of: of.clone(),
+                    inside,
+                    readings: Vec::new(),
+                }
             }
             _ => return,
         };

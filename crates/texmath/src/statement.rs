@@ -8,6 +8,7 @@
 use super::Relation;
 use super::bars::pair_bars;
 use super::error::{Fault, Reason};
+use super::layout::Plain;
 use super::lexer::{INTEGERS, lex};
 use super::token::{Bracket, Kind, Set, Token};
 
@@ -69,12 +70,16 @@ struct Piece<'a> {
 }
 
 /// The statements of a display, with its bars paired.
-pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
+pub(super) fn divided<'a>(tex: &'a str, plain: &Plain<'_>) -> Result<Vec<Statement<'a>>, Fault> {
     let (bytes, most) = (tex.len(), LONGEST);
     if bytes > most {
         return Err(Fault::new(0, Reason::TooLong { bytes, most }));
     }
-    let mut statements = statements(lex(tex)?)?;
+    let mut tokens = lex(tex).map_err(|fault| fault.moved(|at| plain.source(at)))?;
+    for token in &mut tokens {
+        (token.at, token.end) = (plain.source(token.at), plain.source(token.end.saturating_sub(1)) + 1);
+    }
+    let mut statements = statements(tokens)?;
     for statement in &mut statements {
         pair_bars(&mut statement.tokens)?;
     }

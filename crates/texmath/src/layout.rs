@@ -1,0 +1,724 @@
+//! Commands that change how a formula is printed and not what it says, written as what they stand for.
+//!
+//! They are those of the packages physics, mathtools, nicefrac, cancel, xcolor, siunitx and IEEEtrantools, and some of plain TeX.
+//! Each place of what is written knows where in the source it comes from.
+
+use super::statement::LONGEST;
+use std::borrow::Cow;
+use std::cell::Cell;
+
+/// Groups within groups beyond which nothing is rewritten; the reader refuses what is deeper.
+const DEEPEST: usize = 100;
+
+/// How often each byte may be looked at, on average, for brackets that close.
+const LOOKED_AT: usize = 20;
+
+/// An argument of a command, as the package xparse names them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Argument {
+    /// A star, or nothing.
+    Star,
+    /// `[...]`, or nothing.
+    Optional,
+    /// `{...}` or one token.
+    Needed,
+    /// `{...}`, or nothing.
+    Group,
+    /// `(...)`, `[...]`, `|...|` or `{...}`.
+    Bracketed,
+}
+
+use Argument::{Bracketed, Group, Needed, Optional, Star};
+
+/// What a command is written as.
+#[derive(Clone, Copy)]
+enum Written {
+    /// The last of these forms all of whose arguments are there; `#1` is the first argument.
+    As(&'static [&'static str]),
+    /// Its bracketed argument with brackets that grow.
+    Brackets,
+    /// A matrix in the brackets of its argument.
+    Matrix,
+    /// The relation that is its second argument.
+    Relation,
+    /// A number, perhaps with a power of ten: `1.5e-3`.
+    Number,
+    /// Its argument, without the name that a brace gives it behind this sign.
+    Named(u8),
+}
+
+use Written::{As, Brackets, Matrix, Named, Number, Relation};
+
+type Row = (&'static str, &'static [Argument], Written);
+
+static TABLE: &[Row] = &[
+    // derivatives and differentials
+    (
+        "dv",
+        &[Star, Optional, Needed, Group],
+        As(&[
+            r"\frac{d}{d #3}",
+            r"\frac{d^{#2}}{d #3^{#2}}",
+            r"\frac{d #3}{d #4}",
+            r"\frac{d^{#2} #3}{d #4^{#2}}",
+        ]),
+    ),
+    (
+        "pdv",
+        &[Star, Optional, Needed, Group, Group],
+        As(&[
+            r"\frac{\partial}{\partial #3}",
+            r"\frac{\partial^{#2}}{\partial #3^{#2}}",
+            r"\frac{\partial #3}{\partial #4}",
+            r"\frac{\partial^{#2} #3}{\partial #4^{#2}}",
+            r"\frac{\partial^2 #3}{\partial #4 \partial #5}",
+        ]),
+    ),
+    ("dd", &[Optional, Needed], As(&[r"\, d #2", r"\, d^{#1} #2"])),
+    // brackets
+    ("qty", &[Bracketed], Brackets),
+    ("pqty", &[Needed], As(&[r"\left(#1\right)"])),
+    ("bqty", &[Needed], As(&[r"\left[#1\right]"])),
+    ("abs", &[Star, Group], As(&[r"\left|#2\right|"])),
+    ("norm", &[Star, Group], As(&[r"\left\|#2\right\|"])),
+    ("eval", &[Star, Group], As(&[r"\left.#2\right|"])),
+    ("order", &[Group], As(&[r"O\left(#1\right)"])),
+    ("mqty", &[Star, Bracketed], Matrix),
+    ("pmqty", &[Needed], As(&[r"\begin{pmatrix}#1\end{pmatrix}"])),
+    ("bmqty", &[Needed], As(&[r"\begin{bmatrix}#1\end{bmatrix}"])),
+    ("vmqty", &[Needed], As(&[r"\begin{vmatrix}#1\end{vmatrix}"])),
+    ("mdet", &[Needed], As(&[r"\begin{vmatrix}#1\end{vmatrix}"])),
+    // letters and signs
+    ("va", &[Star, Needed], As(&[r"\vec{#2}"])),
+    ("vb", &[Star, Needed], As(&[r"\mathbf{#2}"])),
+    ("vu", &[Star, Needed], As(&[r"\hat{#2}"])),
+    ("vdot", &[], As(&[r"\cdot "])),
+    ("cross", &[], As(&[r"\times "])),
+    ("num", &[Optional, Needed], Number),
+    // fractions
+    ("nicefrac", &[Needed, Needed], As(&[r"\frac{#1}{#2}"])),
+    ("sfrac", &[Needed, Needed], As(&[r"\frac{#1}{#2}"])),
+    ("xfrac", &[Needed, Needed], As(&[r"\frac{#1}{#2}"])),
+    ("flatfrac", &[Needed, Needed], As(&[r"\frac{#1}{#2}"])),
+    // strokes, colours and boxes
+    ("cancel", &[Needed], As(&["{#1}"])),
+    ("bcancel", &[Needed], As(&["{#1}"])),
+    ("xcancel", &[Needed], As(&["{#1}"])),
+    ("color", &[Optional, Needed], As(&[""])),
+    ("textcolor", &[Optional, Needed, Needed], As(&["{#3}"])),
+    ("mathcolor", &[Optional, Needed, Needed], As(&["{#3}"])),
+    ("colorbox", &[Optional, Needed, Needed], As(&["{#3}"])),
+    ("ensuremath", &[Needed], As(&["{#1}"])),
+    ("smash", &[Optional, Needed], As(&["{#2}"])),
+    ("smashoperator", &[Optional, Needed], As(&["#2"])),
+    ("mathclap", &[Needed], As(&["{#1}"])),
+    ("substack", &[Needed], As(&["#1"])),
+    ("phantom", &[Needed], As(&["{}"])),
+    ("hphantom", &[Needed], As(&["{}"])),
+    ("vphantom", &[Needed], As(&["{}"])),
+    // what is set beside a formula
+    ("tag", &[Star, Needed], As(&[""])),
+    ("qed", &[], As(&[""])),
+    ("qedhere", &[], As(&[""])),
+    ("IEEEyesnumber", &[Star], As(&[""])),
+    ("IEEEnonumber", &[Star], As(&[""])),
+    ("IEEEyessubnumber", &[Star], As(&[""])),
+    ("IEEEeqnarraynumspace", &[], As(&[""])),
+    ("allowdisplaybreaks", &[Optional], As(&[""])),
+    ("displaybreak", &[Optional], As(&[""])),
+    ("underbrace", &[Needed], Named(b'_')),
+    ("overbrace", &[Needed], Named(b'^')),
+    // what stands above or below a relation
+    ("stackrel", &[Needed, Needed], Relation),
+    ("overset", &[Needed, Needed], Relation),
+    ("underset", &[Needed, Needed], Relation),
+];
+
+const RELATIONS: [&str; 16] = [
+    "=",
+    "<",
+    ">",
+    r"\le",
+    r"\leq",
+    r"\leqslant",
+    r"\ge",
+    r"\geq",
+    r"\geqslant",
+    r"\ne",
+    r"\neq",
+    r"\approx",
+    r"\simeq",
+    r"\equiv",
+    ":=",
+    r"\coloneqq",
+];
+
+/// A formula as it is read.
+pub(super) struct Plain<'a> {
+    pub text: Cow<'a, str>,
+    /// Where parts of the text start, where each comes from in the source, and whether it was copied from there.
+    parts: Vec<(usize, usize, bool)>,
+}
+
+impl<'a> Plain<'a> {
+    /// Rewrites a formula.
+    pub(super) fn of(source: &'a str) -> Self {
+        if source.len() > LONGEST {
+            // the reader refuses it
+            return Self {
+                text: Cow::Borrowed(source),
+                parts: Vec::new(),
+            };
+        }
+        let mut writer = Writer {
+            source,
+            closing: closing(source),
+            text: String::new(),
+            parts: Vec::new(),
+            is_changed: false,
+            left: Cell::new(LOOKED_AT * (source.len() + 1)),
+        };
+        writer.group(0, source.len(), 0);
+        match writer.is_changed {
+            true => Self {
+                text: Cow::Owned(writer.text),
+                parts: writer.parts,
+            },
+            false => Self {
+                text: Cow::Borrowed(source),
+                parts: Vec::new(),
+            },
+        }
+    }
+
+    /// The text without a remark in words and brackets at its end, `\text{(difference of squares)}`, and that remark.
+    pub(super) fn without_remark(&self) -> (&str, Option<&str>) {
+        let whole = self.text.trim_end();
+        let found = [r"\text{", r"\mbox{", r"\textrm{", r"\textit{"]
+            .iter()
+            .find_map(|command| {
+                let start = whole.rfind(command)?;
+                let said = whole.get(start + command.len()..)?.strip_suffix('}')?.trim();
+                let is_in_brackets = [('(', ')'), ('[', ']')]
+                    .iter()
+                    .any(|(open, close)| said.starts_with(*open) && said.ends_with(*close));
+                (is_in_brackets && !said.contains(['{', '}', '$', '\\'])).then_some((start, said))
+            });
+        match found {
+            Some((start, said)) => (whole.get(..start).unwrap_or_default(), Some(said)),
+            None => (&self.text, None),
+        }
+    }
+
+    /// Where in the source a byte of the text comes from.
+    pub(super) fn source(&self, at: usize) -> usize {
+        let after = self.parts.partition_point(|(start, ..)| *start <= at);
+        match after.checked_sub(1).and_then(|last| self.parts.get(last)) {
+            Some((start, from, true)) => from + (at - start),
+            Some((_, from, false)) => *from,
+            None => at,
+        }
+    }
+}
+
+/// For each brace that opens, where its partner stands.
+fn closing(source: &str) -> Vec<Option<usize>> {
+    let mut found = vec![None; source.len()];
+    let (mut open, mut is_escaped) = (Vec::new(), false);
+    for (at, byte) in source.bytes().enumerate() {
+        match byte {
+            b'{' if !is_escaped => open.push(at),
+            b'}' if !is_escaped => {
+                if let Some(place) = open.pop().and_then(|start: usize| found.get_mut(start)) {
+                    *place = Some(at);
+                }
+            }
+            _ => {}
+        }
+        is_escaped = byte == b'\\' && !is_escaped;
+    }
+    found
+}
+
+struct Writer<'a> {
+    source: &'a str,
+    closing: Vec<Option<usize>>,
+    text: String,
+    parts: Vec<(usize, usize, bool)>,
+    is_changed: bool,
+    /// Bytes that may still be looked at for brackets that close: each bracket of a hostile formula looks to its end.
+    left: Cell<usize>,
+}
+
+/// An argument that was found: what stands in it, and its opening bracket.
+#[derive(Clone, Copy)]
+struct Found {
+    start: usize,
+    end: usize,
+    bracket: u8,
+}
+
+impl<'a> Writer<'a> {
+    fn slice(&self, start: usize, end: usize) -> &'a str {
+        self.source.get(start..end).unwrap_or_default()
+    }
+
+    fn byte(&self, at: usize) -> u8 {
+        self.source.as_bytes().get(at).copied().unwrap_or_default()
+    }
+
+    fn copy(&mut self, start: usize, end: usize) {
+        if let Some(text) = self.source.get(start..end)
+            && !text.is_empty()
+        {
+            let goes_on = self
+                .parts
+                .last()
+                .is_some_and(|(from, at, is_copied)| *is_copied && at + (self.text.len() - from) == start);
+            if !goes_on {
+                self.parts.push((self.text.len(), start, true));
+            }
+            self.text.push_str(text);
+        }
+    }
+
+    fn write(&mut self, text: &str, from: usize) {
+        self.parts.push((self.text.len(), from, false));
+        self.text.push_str(text);
+        self.is_changed = true;
+    }
+
+    /// The end of the command, comment or character at a byte.
+    fn token_end(&self, at: usize) -> usize {
+        let rest = self.slice(at, self.source.len());
+        let mut characters = rest.chars();
+        match characters.next() {
+            Some('\\') => {
+                let letters = rest.bytes().skip(1).take_while(u8::is_ascii_alphabetic).count();
+                let length = match letters {
+                    0 => characters.next().map_or(0, char::len_utf8),
+                    letters => letters,
+                };
+                at + 1 + length
+            }
+            Some('%') => at + rest.find('\n').map_or(rest.len(), |end| end + 1),
+            Some(c) => at + c.len_utf8(),
+            None => at,
+        }
+    }
+
+    fn after_blanks(&self, at: usize, end: usize) -> usize {
+        let text = self.slice(at, end);
+        at + (text.len() - text.trim_start().len())
+    }
+
+    /// Writes what stands between two bytes, which is a group or the whole.
+    fn group(&mut self, start: usize, end: usize, depth: usize) {
+        if depth > DEEPEST {
+            return self.copy(start, end);
+        }
+        if depth > 0
+            && let Some((at, next, command)) = self.infix(start, end)
+        {
+            self.write(command, at);
+            for (start, end) in [(start, at), (next, end)] {
+                self.write("{", start);
+                self.run(start, end, depth);
+                self.write("}", end);
+            }
+            return;
+        }
+        self.run(start, end, depth);
+    }
+
+    /// `a \over b` in a group: where the sign starts and ends, and the command for it.
+    fn infix(&self, start: usize, end: usize) -> Option<(usize, usize, &'static str)> {
+        let mut at = start;
+        while at < end {
+            let next = match self.byte(at) {
+                b'{' => self.closing.get(at).copied().flatten()? + 1,
+                _ => self.token_end(at),
+            };
+            let command = match self.slice(at, next) {
+                r"\over" => r"\frac",
+                r"\choose" => r"\binom",
+                _ => "",
+            };
+            if !command.is_empty() {
+                return Some((at, next, command));
+            }
+            at = next;
+        }
+        None
+    }
+
+    fn run(&mut self, start: usize, end: usize, depth: usize) {
+        let mut at = start;
+        while at < end {
+            at = self.step(at, end, depth);
+        }
+    }
+
+    /// Writes what stands at a byte, and returns where it ends.
+    fn step(&mut self, at: usize, end: usize, depth: usize) -> usize {
+        let next = self.token_end(at).min(end);
+        match self.byte(at) {
+            b'\\' => {
+                if let Some(next) = self.command(at, next, end, depth) {
+                    return next;
+                }
+                // 1\,000
+                if self.slice(at, next) == r"\," && self.is_between_figures(at, next, Some(3)) {
+                    self.is_changed = true;
+                    return next;
+                }
+                self.copy(at, next);
+                next
+            }
+            b'{' => match self.closing.get(at).copied().flatten().filter(|close| *close < end) {
+                // 0{,}5
+                Some(close) if self.slice(at, close + 1) == "{,}" && self.is_between_figures(at, close + 1, None) => {
+                    self.write(".", at);
+                    close + 1
+                }
+                Some(close) => {
+                    self.copy(at, at + 1);
+                    self.group(at + 1, close, depth + 1);
+                    self.copy(close, close + 1);
+                    close + 1
+                }
+                None => {
+                    self.copy(at, next);
+                    next
+                }
+            },
+            b'^' => self.primes(at, end).unwrap_or_else(|| {
+                self.copy(at, next);
+                next
+            }),
+            _ => {
+                self.copy(at, next);
+                next
+            }
+        }
+    }
+
+    /// Returns true if a figure stands before a byte and figures behind another, so many where a number is given.
+    fn is_between_figures(&self, before: usize, behind: usize, count: Option<usize>) -> bool {
+        let figures = self.slice(behind, self.source.len());
+        let figures = figures.bytes().take_while(u8::is_ascii_digit).count();
+        let is_behind_figure = before > 0 && self.byte(before - 1).is_ascii_digit();
+        is_behind_figure && figures > 0 && count.is_none_or(|count| figures == count)
+    }
+
+    /// `^{\prime 2}` as `'^{2}`.
+    fn primes(&mut self, at: usize, end: usize) -> Option<usize> {
+        let open = self.after_blanks(at + 1, end);
+        let close = self.closing.get(open).copied().flatten().filter(|close| *close < end)?;
+        let mut rest = open + 1;
+        let mut count = 0;
+        loop {
+            let next = self.after_blanks(rest, close);
+            if self.slice(next, self.token_end(next)) != r"\prime" {
+                break;
+            }
+            rest = self.token_end(next);
+            count += 1;
+        }
+        let power = self.slice(rest, close).trim();
+        if count == 0 || count > 3 || !power.bytes().all(|byte| byte.is_ascii_alphanumeric()) {
+            return None;
+        }
+        self.write(&"'".repeat(count), at);
+        if !power.is_empty() {
+            self.write("^{", at);
+            self.copy(rest, close);
+            self.write("}", close);
+        }
+        Some(close + 1)
+    }
+
+    /// Writes the command between two bytes as what it stands for, and returns where its arguments end.
+    fn command(&mut self, at: usize, name_end: usize, end: usize, depth: usize) -> Option<usize> {
+        let name = self.slice(at + 1, name_end);
+        let (_, wanted, written) = TABLE.iter().find(|(command, ..)| *command == name)?;
+        let (found, next) = self.arguments(wanted, name_end, end)?;
+        let text = |argument: Option<&Found>| argument.map_or("", |found| self.slice(found.start, found.end));
+        let last = found.last().copied().flatten();
+        match written {
+            As(forms) => {
+                let form = forms.iter().rev().find(|form| {
+                    let used = form.split('#').skip(1).filter_map(|rest| rest.bytes().next());
+                    let mut used = used.map(|digit| usize::from(digit.wrapping_sub(b'1')));
+                    used.all(|number| found.get(number).is_some_and(Option::is_some))
+                })?;
+                self.form(form, &found, at, depth);
+            }
+            Brackets => {
+                let [open, close] = brackets(last?.bracket);
+                self.write(&format!(r"\left{open}"), at);
+                self.inside(last?, depth);
+                self.write(&format!(r"\right{close}"), at);
+            }
+            Matrix => {
+                let kind = match last?.bracket {
+                    b'(' => "pmatrix",
+                    b'[' => "bmatrix",
+                    b'|' => "vmatrix",
+                    _ => "matrix",
+                };
+                self.write(&format!(r"\begin{{{kind}}}"), at);
+                self.inside(last?, depth);
+                self.write(&format!(r"\end{{{kind}}}"), at);
+            }
+            Relation => {
+                let relation = text(last.as_ref()).trim();
+                if !RELATIONS.contains(&relation) {
+                    return None;
+                }
+                self.write(relation, at);
+                self.write(" ", at);
+            }
+            Number => {
+                let number = text(last.as_ref()).trim().to_ascii_lowercase().replace(',', ".");
+                let is_decimal = |text: &str| text.trim_start_matches(['-', '+']).parse::<f64>().is_ok();
+                let shown = match number.split_once('e') {
+                    Some((figures, power)) if is_decimal(figures) && power.parse::<i32>().is_ok() => {
+                        format!(r"{figures} \cdot 10^{{{power}}}")
+                    }
+                    None if is_decimal(&number) => number,
+                    _ => return None,
+                };
+                self.write(&shown, at);
+            }
+            Named(sign) => {
+                let script = self.after_blanks(next, end);
+                let (label, after) = match self.byte(script) == *sign && script < end {
+                    true => self.arguments(&[Needed], script + 1, end)?,
+                    false => return None,
+                };
+                let label = label.first().copied().flatten()?;
+                let own = names(self.slice(label.start, label.end))?;
+                let outside = [self.slice(0, script), self.slice(after, self.source.len())];
+                let is_elsewhere = |name: &&str| {
+                    outside
+                        .iter()
+                        .any(|text| names_anywhere(text).any(|other| other == *name))
+                };
+                if own.iter().any(is_elsewhere) {
+                    return None;
+                }
+                self.write("{", at);
+                self.inside(last?, depth);
+                self.write("}", at);
+                return Some(after);
+            }
+        }
+        Some(next)
+    }
+
+    fn inside(&mut self, argument: Found, depth: usize) {
+        self.group(argument.start, argument.end, depth + 1);
+    }
+
+    fn form(&mut self, form: &str, found: &[Option<Found>], at: usize, depth: usize) {
+        self.is_changed = true;
+        let mut parts = form.split('#');
+        self.write(parts.next().unwrap_or_default(), at);
+        for part in parts {
+            let (number, rest) = part.split_at(1.min(part.len()));
+            let number: usize = number.parse().unwrap_or_default();
+            if let Some(argument) = number
+                .checked_sub(1)
+                .and_then(|number| found.get(number).copied().flatten())
+            {
+                self.inside(argument, depth);
+            }
+            self.write(rest, at);
+        }
+    }
+
+    /// The arguments of a command that ends at a byte, and where they end.
+    fn arguments(&self, wanted: &[Argument], name_end: usize, end: usize) -> Option<(Vec<Option<Found>>, usize)> {
+        let mut at = name_end;
+        let mut found = Vec::new();
+        for argument in wanted {
+            let start = self.after_blanks(at, end);
+            let first = if start < end { self.byte(start) } else { 0 };
+            let between = |close: usize| Found {
+                start: start + 1,
+                end: close,
+                bracket: first,
+            };
+            let group = || {
+                let close = self.closing.get(start).copied().flatten()?;
+                (first == b'{' && close < end).then(|| between(close))
+            };
+            let next = match argument {
+                Star => {
+                    at = if first == b'*' { start + 1 } else { at };
+                    found.push(None);
+                    continue;
+                }
+                Optional => (first == b'[').then(|| self.partner(start, end)).flatten().map(between),
+                Group => group(),
+                Needed if start >= end || (first == b'{' && group().is_none()) => return None,
+                Needed => Some(group().unwrap_or(Found {
+                    start,
+                    end: self.token_end(start).min(end),
+                    bracket: 0,
+                })),
+                Bracketed => Some(match first {
+                    b'{' => group()?,
+                    b'(' | b'[' | b'|' => between(self.partner(start, end)?),
+                    _ => return None,
+                }),
+            };
+            if let Some(own) = next {
+                at = if own.bracket == 0 { own.end } else { own.end + 1 };
+            }
+            found.push(next);
+        }
+        Some((found, at))
+    }
+
+    /// Where the bracket closes that opens at a byte.
+    fn partner(&self, open: usize, end: usize) -> Option<usize> {
+        let first = self.byte(open);
+        let [_, close] = brackets(first).map(|text| text.bytes().next_back().unwrap_or_default());
+        let (mut at, mut depth) = (open + 1, 1);
+        while at < end {
+            self.left.set(self.left.get().checked_sub(1)?);
+            at = match self.byte(at) {
+                b'{' => self.closing.get(at).copied().flatten()? + 1,
+                byte if byte == close => {
+                    depth -= 1;
+                    if depth == 0 {
+                        return Some(at);
+                    }
+                    at + 1
+                }
+                byte if byte == first => {
+                    depth += 1;
+                    at + 1
+                }
+                _ => self.token_end(at),
+            };
+        }
+        None
+    }
+}
+
+/// The letters and commands of a text, in which letters of commands are none.
+fn names_anywhere(text: &str) -> impl Iterator<Item = &str> {
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        while let Some(byte) = bytes.get(at) {
+            let start = at;
+            at += 1;
+            if *byte == b'\\' {
+                at += bytes
+                    .iter()
+                    .skip(at)
+                    .take_while(|byte| byte.is_ascii_alphabetic())
+                    .count();
+            }
+            if at > start + 1 || byte.is_ascii_alphabetic() {
+                return text.get(start..at);
+            }
+        }
+        None
+    })
+}
+
+/// The names of a text that holds nothing but names, signs of scripts and figures.
+fn names(text: &str) -> Option<Vec<&str>> {
+    let is_name = |c: char| c.is_ascii_alphanumeric() || "\\_{}' ".contains(c);
+    let found: Vec<&str> = names_anywhere(text).collect();
+    let is_words = found.iter().any(|name| [r"\text", r"\mathrm", r"\mbox"].contains(name));
+    (text.chars().all(is_name) && !found.is_empty() && !is_words).then_some(found)
+}
+
+fn brackets(open: u8) -> [&'static str; 2] {
+    match open {
+        b'[' => ["[", "]"],
+        b'|' => ["|", "|"],
+        b'{' => [r"\{", r"\}"],
+        _ => ["(", ")"],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(source: &str) -> String {
+        let rewritten = Plain::of(source);
+        rewritten.text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn each_command_is_written_as_what_it_stands_for() {
+        for (source, wanted) in [
+            (r"\dv{x} x^3", r"\frac{d}{d x} x^3"),
+            (r"\dv[2]{f}{t}", r"\frac{d^{2} f}{d t^{2}}"),
+            (
+                r"\pdv{u}{x}{y} + \pdv{u}{t}",
+                r"\frac{\partial^2 u}{\partial x \partial y} + \frac{\partial u}{\partial t}",
+            ),
+            (r"\qty(a+\qty[b])^2", r"\left(a+\left[b\right]\right)^2"),
+            (r"\int_0^1 x \dd{x}", r"\int_0^1 x \, d x"),
+            (r"\nicefrac12 + \sfrac{a}{b}", r"\frac{1}{2} + \frac{a}{b}"),
+            (r"{\color{red} a} + \textcolor{blue}{b}", r"{ a} + {b}"),
+            (r"{a + b \over 2}", r"{\frac{a + b }{ 2}}"),
+            (r"{n \choose {a \over b}}", r"{\binom{n }{ {\frac{a }{ b}}}}"),
+            (r"a \stackrel{(3)}{=} b", "a = b"),
+            (r"a \overset{!}{\le} b", r"a \le b"),
+            (r"\overset{a}{b}", r"\overset{a}{b}"),
+            (r"0{,}5 x + 1\,000 y \, z", r"0.5 x + 1000 y \, z"),
+            (
+                r"x^{\prime 2} + y^{\prime\prime} + z^\prime",
+                r"x'^{ 2} + y'' + z^\prime",
+            ),
+            (r"\mqty[a & b \\ c & d]", r"\begin{bmatrix}a & b \\ c & d\end{bmatrix}"),
+            (r"\num{1.5e-3} m", r"1.5 \cdot 10^{-3} m"),
+            (r"a = b \tag{3} \qed", "a = b"),
+            (r"\underbrace{a + b}_{c} - b", "{a + b} - b"),
+            (r"\underbrace{a + b}_{c} - c", r"\underbrace{a + b}_{c} - c"),
+            (r"\underbrace{a + b}_{= 0} - c", r"\underbrace{a + b}_{= 0} - c"),
+            (r"\abs(x) + \abs{x}", r"\abs(x) + \left|x\right|"),
+        ] {
+            assert_eq!(plain(source), wanted, "{source}");
+        }
+    }
+
+    #[test]
+    fn what_needs_nothing_is_left_as_it_is_and_places_are_those_of_the_source() {
+        let source = r"\frac{a}{b} = c % \dv{x}";
+        assert!(matches!(Plain::of(source).text, Cow::Borrowed(_)));
+        let source = r"a + \cancel{b} = \qty(c) ? d";
+        let rewritten = Plain::of(source);
+        for sign in ["b", "?", "d"] {
+            let at = rewritten.text.rfind(sign).unwrap();
+            assert_eq!(rewritten.source(at), source.rfind(sign).unwrap(), "{sign}");
+        }
+    }
+
+    #[test]
+    fn hostile_nesting_ends() {
+        for part in [
+            "{",
+            "{\\over",
+            r"\qty(",
+            r"\dv{",
+            r"^{\prime",
+            r"\cancel",
+            r"\mqty[",
+            "0{,}",
+        ] {
+            let deep = part.repeat(20_000);
+            assert!(Plain::of(&deep).text.len() <= 12 * deep.len(), "{part}");
+        }
+    }
+}
