@@ -66,6 +66,8 @@ pub struct Entry {
     pub names: Vec<String>,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
+    /// How it stands in a document without comments.
+    pub standing: Standing,
     /// Whether it is a claim `A \Rightarrow B`.
     pub is_implication: bool,
     /// Whether it is a way of `A \Leftrightarrow B`.
@@ -92,6 +94,22 @@ pub struct Entry {
     pub(super) borrowed: Vec<(Name, usize)>,
 }
 
+/// How a formula stands in a document, where nobody says what it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Standing {
+    /// Its author says what it is.
+    #[default]
+    Said,
+    /// A definition.
+    Definition,
+    /// A law, if it does not follow from what stands before it: nothing before speaks of one of its letters.
+    Law,
+    /// A link of a chain.
+    Link,
+    /// Anything else.
+    Open,
+}
+
 /// One `[[equation]]` as it stands in the file.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -114,6 +132,8 @@ pub(super) struct RawEntry {
     /// Guesses of a document, a clause each: with one of them nothing is refuted.
     #[serde(default)]
     pub guessed: Vec<String>,
+    #[serde(skip)]
+    pub standing: Standing,
     /// What the notation leaves open, a question each: with one of them nothing is proved either.
     #[serde(default)]
     pub doubts: Vec<String>,
@@ -1143,6 +1163,7 @@ pub(super) fn read_entry(
         expect: raw.expect,
         names: raw.names.clone(),
         guessed: raw.guessed.clone(),
+        standing: raw.standing,
         unread: faults
             .into_iter()
             .reduce(Fault::and)

@@ -22,7 +22,7 @@ mod verdict;
 
 pub use definition::Local;
 pub use document::{Document, Include, Markup, PrintedNumber};
-pub use entry::{Entry, Role};
+pub use entry::{Entry, Role, Standing};
 pub use fault::{Fault, Source};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};

@@ -3,7 +3,7 @@
 use super::check::check;
 use super::circle::circle;
 use super::definition::{Local, clash, inlined, is_defined, local, means_the_same};
-use super::entry::{Entry, RawEntry, Role, read_entry};
+use super::entry::{Entry, RawEntry, Role, Standing, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::spelling::{
@@ -98,7 +98,7 @@ impl Sheet {
                     .is_some_and(|position| needed.contains(position));
             entries.push(read_entry(lines, entry, &positions, &symbols, wanted));
         }
-        refuse_two_spellings(&equations, &mut entries);
+        refuse_two_spellings(&equations, &mut entries, &symbols);
         refuse_alternative_matrices(&mut entries);
         refuse_products_of_vectors(&equations, &mut entries, &symbols);
         if raw.symbols.is_some() {
@@ -386,11 +386,15 @@ impl Sheet {
             .is_some_and(|entry| entry.role == Role::Claim)
     }
 
-    /// The positions of the entries that a table of verdicts has a row for: the claims, and whatever cannot be read.
+    /// The positions of the entries that a table of verdicts has a row for: the claims, what a document without comments gives,
+    /// and whatever cannot be read.
     pub fn rows(&self) -> Vec<usize> {
-        let unread = |n: &usize| self.entries.get(*n).is_some_and(|entry| entry.unread.is_some());
+        let is_told = |n: &usize| {
+            let entry = self.entries.get(*n);
+            entry.is_some_and(|entry| entry.unread.is_some() || entry.standing == Standing::Definition)
+        };
         (0..self.entries.len())
-            .filter(|n| self.is_claim(*n) || unread(n))
+            .filter(|n| self.is_claim(*n) || is_told(n))
             .collect()
     }
 

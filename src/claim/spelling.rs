@@ -7,10 +7,10 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Makes the entries `unread` that hold a letter which the formulas print in two ways: `\mathbf{a}` and `a`, `\phi` and
 /// `\varphi` are read as one letter, and are mostly two symbols where both are printed.
-pub(super) fn refuse_two_spellings(raw: &[RawEntry], entries: &mut [Entry]) {
-    let mut printed: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
+pub(super) fn refuse_two_spellings(raw: &[RawEntry], entries: &mut [Entry], symbols: &Symbols) {
+    let mut printed: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for tex in raw.iter().flat_map(RawEntry::formulas) {
-        for (letter, shape) in letters(tex) {
+        for (letter, shape) in letters(tex, &symbols.names) {
             printed.entry(letter).or_default().insert(shape);
         }
     }
@@ -19,8 +19,8 @@ pub(super) fn refuse_two_spellings(raw: &[RawEntry], entries: &mut [Entry]) {
         return;
     }
     for (raw, entry) in raw.iter().zip(entries) {
-        let mut own = raw.formulas().flat_map(letters);
-        if let Some(shapes) = own.find_map(|(letter, _)| printed.get(letter)) {
+        let mut own = raw.formulas().flat_map(|tex| letters(tex, &symbols.names));
+        if let Some(shapes) = own.find_map(|(letter, _)| printed.get(&letter)) {
             let shapes: Vec<String> = shapes.iter().map(|shape| format!("`{shape}`")).collect();
             let problem = format!(
                 "{} are read as one letter, and both are printed: call one of them by another letter",
@@ -43,12 +43,12 @@ pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry]
     for (raw, entry) in raw.iter().zip(entries) {
         for tex in raw.formulas() {
             let has_arrows = tex.contains(r"\vec");
-            let bold = |(letter, printed): (&str, String)| {
-                let is_vector = (printed.starts_with(r"\mathbf") && is_number(letter, &[]))
-                    || (has_arrows && is_number(letter, &[r"\vec"]));
-                is_vector.then(|| letter.to_owned())
+            let bold = |(letter, printed): (String, String)| {
+                let is_vector = (printed.starts_with(r"\mathbf") && is_number(&letter, &[]))
+                    || (has_arrows && is_number(&letter, &[r"\vec"]));
+                is_vector.then_some(letter)
             };
-            let vectors: BTreeSet<String> = letters(tex).into_iter().filter_map(bold).collect();
+            let vectors: BTreeSet<String> = letters(tex, &symbols.names).into_iter().filter_map(bold).collect();
             let is_cross = !vectors.is_empty() && (tex.contains(r"\times") || tex.contains('×'));
             let is_dot = vectors.len() > 1 && (tex.contains(r"\cdot") || tex.contains(['·', '⋅']));
             if is_cross || is_dot {

@@ -2,7 +2,8 @@
 
 use super::fault::Fault;
 use crate::tex::{
-    At, Equation, Map, Meaning, Name, Names, Relation, Symbols, Tree, index_of, read, read_expression, speaks_of,
+    At, Equation, Map, Meaning, Name, Names, Opaque, Relation, Symbols, Tree, index_of, read, read_expression,
+    speaks_of,
 };
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -31,6 +32,9 @@ pub struct RawSymbols {
     /// True if a document uses no others; else what it does not declare is guessed.
     #[serde(skip)]
     pub only: bool,
+    /// Where this is given, a term that is not understood is a symbol.
+    #[serde(skip)]
+    pub opaque: Option<Opaque>,
 }
 
 impl RawSymbols {
@@ -65,6 +69,7 @@ impl RawSymbols {
             relations: pairs(self.relations, more.relations)?,
             maps: self.maps.into_iter().chain(more.maps).collect(),
             only: self.only || more.only,
+            opaque: self.opaque.or(more.opaque),
         })
     }
 
@@ -278,6 +283,7 @@ impl RawSymbols {
         Ok(Names {
             letters: texts.iter().filter_map(letter).collect(),
             words,
+            opaque: self.opaque.clone(),
             ..Names::default()
         })
     }

@@ -18,6 +18,13 @@ pub enum Verdict {
     Undecided,
     /// The formula, or a name in it, cannot be read.
     Unread,
+    /// A document without comments gives it: a definition, or a law that does not follow from what stands before it.
+    #[serde(skip)]
+    Given,
+    /// A link of a chain in a document without comments that fails where what stands before it holds, and that one small
+    /// repair makes provable.
+    #[serde(skip)]
+    Suspect,
 }
 
 impl fmt::Display for Verdict {
@@ -27,6 +34,8 @@ impl fmt::Display for Verdict {
             Self::Refuted => "refuted",
             Self::Undecided => "undecided",
             Self::Unread => "unread",
+            Self::Given => "given",
+            Self::Suspect => "suspect",
         })
     }
 }

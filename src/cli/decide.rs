@@ -3,13 +3,15 @@
 use super::progress::Progress;
 use super::verdicts::{Row, table};
 use super::{Failure, note};
-use crate::claim::{self, Fault, Sheet, Verdict};
+use crate::claim::{self, Fault, Sheet, Standing, Verdict};
 use crate::evidence::witness_near;
 use crate::prove::{self, mention_refuted};
 use crate::repair::repairs;
 use crate::report::{Format, Table};
 use crate::stop::Token;
+use crate::tex::{Tree, names_in};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Formulas that cannot be read of which a message tells.
 const MOST_NOTES: usize = 10;
@@ -61,10 +63,25 @@ fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<V
     rows.par_iter().map(decide).collect()
 }
 
+/// Returns true if both sides of a formula have the same letters, as most links of chains have.
+fn has_one_set_of_letters(sheet: &Sheet, position: usize) -> bool {
+    let letters = |side: &Tree| {
+        let mut names = BTreeSet::new();
+        names_in(side, &mut names);
+        names
+    };
+    let equations = sheet.entries.get(position).map_or(&[][..], |entry| &entry.equations);
+    !equations.is_empty()
+        && equations
+            .iter()
+            .all(|equation| letters(&equation.left) == letters(&equation.right))
+}
+
 /// Decides the claim at a position of a sheet.
 pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool) -> Result<Row, Fault> {
-    let decision = prove::decide(sheet, position, options);
-    let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
+    let mut decision = prove::decide(sheet, position, options);
+    let is_judged = !matches!(decision.verdict, Verdict::Unread | Verdict::Given);
+    let read = is_judged && sheet.unread_below(position).is_empty();
     let evidence = read
         .then(|| {
             let counterexample = decision.counterexample.as_ref().map(|own| &own.point);
@@ -77,10 +94,18 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             )
         })
         .transpose()?;
-    let repairs = match decision.verdict {
+    let is_link = decision.standing == Standing::Link && decision.fails && has_one_set_of_letters(sheet, position);
+    let mut repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
+        _ if is_link => Some(repairs(sheet, position, options)),
         _ => None,
     };
+    if is_link {
+        match repairs.as_ref().is_some_and(|repairs| !repairs.found.is_empty()) {
+            true => decision.suspect(),
+            false => repairs = None,
+        }
+    }
     Ok(Row {
         position,
         decision,

@@ -2,7 +2,7 @@
 
 use super::source::Source as Input;
 use super::{Answer, Content, Exit, Failure, Options, outcomes};
-use crate::claim::{Sheet, Source, Verdict};
+use crate::claim::{Sheet, Source, Standing, Verdict};
 use crate::evidence::Evidence;
 use crate::prove::{self, Counterexample, Decision, Explanation};
 use crate::reference::Outcome;
@@ -51,10 +51,11 @@ impl Row {
         self.decision.is_expected() || self.is_known == Some(true)
     }
 
-    fn expected(&self) -> Verdict {
+    /// The verdict that is expected; none of a document without comments.
+    fn expected(&self) -> Option<Verdict> {
         match self.is_known {
-            Some(true) => self.decision.verdict,
-            _ => self.decision.expected,
+            Some(true) => Some(self.decision.verdict),
+            _ => (self.decision.standing == Standing::Said).then_some(self.decision.expected),
         }
     }
 
@@ -158,7 +159,7 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
         let cells = [
             Cell::from(decision.label.clone()),
             Cell::from(decision.verdict.to_string()),
-            Cell::from(row.expected().to_string()),
+            Cell::from(row.expected().map(|expected| expected.to_string())),
             Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0 + 0.0)),
             decision.counterexample.as_ref().map_or(Cell::Empty, values),
             Cell::from(row.reason()),

@@ -1,7 +1,7 @@
 //! What was decided of one claim, and why.
 
 use super::counterexample::Counterexample;
-use crate::claim::{Fault, Rules, Sheet, Statements, Verdict};
+use crate::claim::{Fault, Rules, Sheet, Standing, Statements, Verdict};
 use crate::kernel;
 use crate::tex::{DoubtKind, Equation};
 use std::collections::HashSet;
@@ -15,6 +15,8 @@ pub struct Decision {
     pub label: String,
     pub verdict: Verdict,
     pub expected: Verdict,
+    /// How the formula stands in a document without comments.
+    pub standing: Standing,
     pub counterexample: Option<Counterexample>,
     pub reason: String,
     /// What the proof excludes: sets that are thin in generic symbols, derivatives that must exist.
@@ -29,6 +31,8 @@ pub struct Decision {
     pub point: Vec<(String, String)>,
     /// Whether nothing is left to decide: what is given contradicts itself, or the claim is nowhere defined.
     pub is_vacuous: bool,
+    /// Whether it would be refuted if what was guessed is right.
+    pub fails: bool,
     /// The other meanings that its premises may have, where they bear on the verdict.
     pub(super) doubts: Vec<DoubtKind>,
     /// Line and column in the file: of what cannot be read, else of the formula.
@@ -80,9 +84,26 @@ impl Decision {
         rules.collect::<Vec<_>>().join("; ")
     }
 
-    /// Whether the verdict is the one that the sheet expects.
+    /// Whether the verdict is the one that the sheet expects; of a document without comments nothing is expected, and nothing
+    /// may be suspect.
     pub fn is_expected(&self) -> bool {
-        self.verdict == self.expected
+        match self.standing {
+            Standing::Said => self.verdict == self.expected,
+            _ => self.verdict != Verdict::Suspect,
+        }
+    }
+
+    /// Makes the decision on a link of a chain that it is suspect: it fails, and a small repair of it is proved.
+    pub fn suspect(&mut self) {
+        if self.fails && self.standing == Standing::Link {
+            self.verdict = Verdict::Suspect;
+        }
+    }
+
+    /// Makes the decision on a formula that it is given.
+    pub(super) fn given(mut self, reason: String) -> Self {
+        (self.verdict, self.reason) = (Verdict::Given, reason);
+        self
     }
 
     /// The decision on the entry at a position before anything is known of it: undecided.
@@ -92,6 +113,7 @@ impl Decision {
             label: entry.map(|entry| entry.label.clone()).unwrap_or_default(),
             verdict: Verdict::Undecided,
             expected: entry.map(|entry| entry.expect).unwrap_or_default(),
+            standing: entry.map(|entry| entry.standing).unwrap_or_default(),
             counterexample: None,
             reason: String::new(),
             provided: Vec::new(),
@@ -101,6 +123,7 @@ impl Decision {
             doubts: Vec::new(),
             point: Vec::new(),
             is_vacuous: false,
+            fails: false,
             place: entry.map(|entry| entry.tex.place()),
         }
     }
@@ -124,7 +147,7 @@ impl Decision {
         let binding: Vec<&DoubtKind> = match self.verdict {
             Verdict::Refuted => others,
             Verdict::Proved => others.into_iter().filter(|kind| !kind.spares_proofs()).collect(),
-            Verdict::Undecided | Verdict::Unread => Vec::new(),
+            _ => Vec::new(),
         };
         if guesses.is_empty() && binding.is_empty() {
             return self;
@@ -143,6 +166,7 @@ impl Decision {
         if !binding.is_empty() {
             self.reason = format!("{}; it may be meant in another way: {}", self.reason, joined(&binding));
         }
+        self.fails = is_refuted && binding.is_empty();
         if is_refuted || !binding.is_empty() {
             self.verdict = Verdict::Undecided;
         }

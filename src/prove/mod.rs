@@ -27,7 +27,9 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values};
+use crate::claim::{
+    Goal, Reduced, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values,
+};
 use crate::kernel;
 use crate::tex::{DoubtKind, Equation, Name, Tree, any_side};
 
@@ -62,7 +64,26 @@ impl Default for Options {
 /// Decides the claim at a position of the sheet. What cannot be read is `unread`; what follows from such is
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
-    Search::of(sheet, position, options).decide_readings(sheet, position)
+    let entry = sheet.entries.get(position);
+    let standing = entry.map(|entry| entry.standing).unwrap_or_default();
+    if standing == Standing::Definition
+        && let Some(entry) = entry.filter(|entry| entry.unread.is_none())
+    {
+        let name = entry.equations.first().map(|equation| equation.left.to_string());
+        let reason = name.map_or("a definition".to_owned(), |name| format!("a definition of `{name}`"));
+        return Decision::of(sheet, position).given(reason);
+    }
+    let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
+    match (standing, decision.verdict) {
+        (Standing::Law, Verdict::Undecided) => {
+            let reason = format!(
+                "a law, if it does not follow from what stands before it: {}",
+                decision.reason
+            );
+            decision.given(reason)
+        }
+        _ => decision,
+    }
 }
 
 /// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
@@ -109,7 +130,7 @@ impl<'a> Search<'a> {
         let is_open = match decision.verdict {
             Verdict::Refuted => true,
             Verdict::Proved => !doubts.iter().all(DoubtKind::spares_proofs),
-            Verdict::Undecided | Verdict::Unread => false,
+            _ => false,
         };
         if is_open {
             let (otherwise, places) = sheet.read_otherwise(position);
@@ -250,7 +271,7 @@ impl<'a> Search<'a> {
                 Verdict::Refuted | Verdict::Unread => {
                     return found.in_part(&goal.part);
                 }
-                Verdict::Undecided => open = Some(found.in_part(&goal.part)),
+                Verdict::Undecided | Verdict::Given | Verdict::Suspect => open = Some(found.in_part(&goal.part)),
             }
         }
         match (vacuous, open) {

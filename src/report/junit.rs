@@ -30,7 +30,7 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
     let [file, place] = ["file", "place"].map(|name| table.position(name));
     let [counterexample, repair] = ["counterexample", "repair"].map(|name| table.position(name));
     let text = |row: &[Cell], index: usize| row.get(index).map_or(String::new(), |cell| escaped_line(&cell.plain()));
-    let failed = |row: &[Cell]| row.get(verdict) != row.get(expected);
+    let failed = |row: &[Cell]| !Table::is_expected(&text(row, verdict), &text(row, expected));
     let failures = table.rows().iter().filter(|row| failed(row)).count();
     writeln!(
         to,

@@ -42,7 +42,7 @@ pub struct Finding {
 }
 
 /// The rules: kind, verdict, how serious it is where it was not expected, and what it says.
-const RULES: [(Kind, &str, &str, &str); 12] = [
+const RULES: [(Kind, &str, &str, &str); 13] = [
     (
         Kind::Input,
         "unusable",
@@ -60,6 +60,12 @@ const RULES: [(Kind, &str, &str, &str); 12] = [
         "refuted",
         "error",
         "The formula fails where its premises hold, at values that were proved.",
+    ),
+    (
+        Kind::Formula,
+        "suspect",
+        "warning",
+        "The link of a chain fails where what stands before it holds, and one small change makes it hold.",
     ),
     (
         Kind::Formula,
@@ -136,7 +142,7 @@ pub fn sarif(findings: &[Finding]) -> String {
     let is_good = |finding: &&Finding| {
         !(finding.is_expected
             && finding.is_known != Some(true)
-            && ["proved", "reproduced"].contains(&&*finding.verdict))
+            && ["proved", "reproduced", "given"].contains(&&*finding.verdict))
     };
     let results: Vec<Value> = findings.iter().filter(is_good).map(result).collect();
     let log = json!({

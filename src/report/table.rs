@@ -221,6 +221,14 @@ impl Table {
         ["verdict", "expected"].iter().all(|name| self.position(name).is_some())
     }
 
+    /// Returns true if a verdict is the expected one; where none is expected, nothing may be suspect.
+    pub fn is_expected(verdict: &str, expected: &str) -> bool {
+        match expected {
+            "" => verdict != "suspect",
+            expected => verdict == expected,
+        }
+    }
+
     /// Where the column of this name stands.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)

@@ -98,6 +98,11 @@ const LETTERS: &[&str] = &[
     "\\top",
 ];
 
+/// Returns true for the command of a letter, `\alpha`.
+pub(super) fn is_letter(command: &str) -> bool {
+    LETTERS.contains(&command)
+}
+
 /// The name of the absolute value as a function.
 pub(super) const ABSOLUTE: &str = "\\abs";
 

@@ -14,7 +14,7 @@ use numbers::{Field, Rational};
 /// `m, n \ge 0`, is said of each; `(x, y) \ne (0, 0)` of real numbers says that their differences are not all 0.
 pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadError> {
     let read = || {
-        let plain = Plain::of(tex);
+        let plain = Plain::of(tex, names);
         let statements = divided(&plain.text, &plain)?;
         if statements.is_empty() {
             return Err(Fault::new(0, Reason::NoCondition));

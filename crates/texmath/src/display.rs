@@ -56,7 +56,7 @@ pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
 /// Reads an expression, without a relation.
 pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
     let read = || {
-        let plain = Plain::of(tex);
+        let plain = Plain::of(tex, names);
         let mut reader = single(&plain, names)?;
         let tree = reader.sum()?;
         reader.finish("the end of the expression").map(|()| *tree)
@@ -67,7 +67,7 @@ pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
 /// Reads one name, such as `\dot{Z}_{k+1}^-`, as a formula would hold it.
 pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
     let read = || {
-        let plain = Plain::of(tex);
+        let plain = Plain::of(tex, names);
         let mut reader = single(&plain, names)?;
         let name = reader.full_name()?;
         reader.finish("the end of the name").map(|()| name)
@@ -77,7 +77,7 @@ pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
 
 /// The functions that a display gives by equations `f(x) = ...`, each with its argument.
 pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
-    let plain = Plain::of(tex);
+    let plain = Plain::of(tex, names);
     let statements = divided(&plain.text, &plain).unwrap_or_default();
     let given = |statement: Statement<'_>| {
         let mut reader = Reader::new(statement.tokens, names);
@@ -93,7 +93,7 @@ pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
 
 fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
     let (mut display, mut conditions, mut stated) = (Display::default(), Vec::new(), 0);
-    let plain = Plain::of(tex);
+    let plain = Plain::of(tex, names);
     let (text, remark) = plain.without_remark();
     let statements = divided(text, &plain)?;
     end_at_conditions(&statements)?;
@@ -268,9 +268,9 @@ impl Reader<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::layout::LONGEST;
     use super::super::reader::DEEPEST;
     use super::super::spelled::names;
-    use super::super::statement::LONGEST;
     use super::*;
 
     #[test]

@@ -1,11 +1,17 @@
-//! Commands that change how a formula is printed and not what it says, written as what they stand for.
+//! Commands that change how a formula is printed and not what it says, written as what they stand for; and terms that are not
+//! understood, `\mathbb{E}[x]` or `p(x | y)`, written as one symbol each where the reader is told so.
 //!
 //! They are those of the packages physics, mathtools, nicefrac, cancel, xcolor, siunitx and IEEEtrantools, and some of plain TeX.
 //! Each place of what is written knows where in the source it comes from.
 
-use super::statement::LONGEST;
+use super::command::{invariant, is_letter as is_letter_command};
+use super::elementary::Elementary;
+use super::{Name, Names};
 use std::borrow::Cow;
 use std::cell::Cell;
+
+/// The longest formula that is read, in bytes.
+pub const LONGEST: usize = 100_000;
 
 /// Groups within groups beyond which nothing is rewritten; the reader refuses what is deeper.
 const DEEPEST: usize = 100;
@@ -162,7 +168,7 @@ pub(super) struct Plain<'a> {
 
 impl<'a> Plain<'a> {
     /// Rewrites a formula.
-    pub(super) fn of(source: &'a str) -> Self {
+    pub(super) fn of(source: &'a str, names: &Names) -> Self {
         if source.len() > LONGEST {
             // the reader refuses it
             return Self {
@@ -177,6 +183,8 @@ impl<'a> Plain<'a> {
             parts: Vec::new(),
             is_changed: false,
             left: Cell::new(LOOKED_AT * (source.len() + 1)),
+            names,
+            has_opaque: names.opaque.is_some(),
         };
         writer.group(0, source.len(), 0);
         match writer.is_changed {
@@ -240,7 +248,7 @@ fn closing(source: &str) -> Vec<Option<usize>> {
     found
 }
 
-struct Writer<'a> {
+struct Writer<'a, 'n> {
     source: &'a str,
     closing: Vec<Option<usize>>,
     text: String,
@@ -248,6 +256,9 @@ struct Writer<'a> {
     is_changed: bool,
     /// Bytes that may still be looked at for brackets that close: each bracket of a hostile formula looks to its end.
     left: Cell<usize>,
+    names: &'n Names,
+    /// Whether terms that are not understood become symbols.
+    has_opaque: bool,
 }
 
 /// An argument that was found: what stands in it, and its opening bracket.
@@ -258,7 +269,7 @@ struct Found {
     bracket: u8,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> Writer<'a, '_> {
     fn slice(&self, start: usize, end: usize) -> &'a str {
         self.source.get(start..end).unwrap_or_default()
     }
@@ -312,6 +323,33 @@ impl<'a> Writer<'a> {
         at + (text.len() - text.trim_start().len())
     }
 
+    /// Behind blanks and small spaces.
+    fn after_spaces(&self, mut at: usize, end: usize) -> usize {
+        loop {
+            at = self.after_blanks(at, end);
+            let next = self.token_end(at).min(end);
+            if ![r"\,", r"\;", r"\!", r"\:", "~"].contains(&self.slice(at, next)) {
+                return at;
+            }
+            at = next;
+        }
+    }
+
+    /// Where a term ends: before the next sign of a sum, relation or row.
+    fn term_end(&self, mut at: usize, end: usize) -> Option<usize> {
+        while at < end {
+            let next = self.token_end(at).min(end);
+            at = match self.byte(at) {
+                b'{' => self.closing.get(at).copied().flatten()? + 1,
+                b'(' | b'[' => self.partner(at, end)? + 1,
+                b'+' | b'-' | b'=' | b'<' | b'>' | b'&' | b',' | b'}' | b')' | b']' => break,
+                b'\\' if ENDS.contains(&self.slice(at, next)) => break,
+                _ => next,
+            };
+        }
+        Some(at)
+    }
+
     /// Writes what stands between two bytes, which is a group or the whole.
     fn group(&mut self, start: usize, end: usize, depth: usize) {
         if depth > DEEPEST {
@@ -362,6 +400,12 @@ impl<'a> Writer<'a> {
     /// Writes what stands at a byte, and returns where it ends.
     fn step(&mut self, at: usize, end: usize, depth: usize) -> usize {
         let next = self.token_end(at).min(end);
+        if self.has_opaque
+            && let Some(close) = self.opaque(at, end)
+        {
+            self.write(&opened(self.slice(at, close)), at);
+            return close;
+        }
         match self.byte(at) {
             b'\\' => {
                 if let Some(next) = self.command(at, next, end, depth) {
@@ -436,6 +480,231 @@ impl<'a> Writer<'a> {
             self.write("}", close);
         }
         Some(close + 1)
+    }
+
+    /// Where a term ends that starts at a byte and is not understood: an operator with its operand, brackets of a product, a
+    /// letter before brackets that may hold its arguments.
+    fn opaque(&self, at: usize, end: usize) -> Option<usize> {
+        let is_start = matches!(self.byte(at), b'\\') || self.byte(at).is_ascii_alphabetic();
+        if !is_start {
+            return None;
+        }
+        let next = self.token_end(at);
+        if self.slice(at, next) == r"\langle" {
+            let close = at + self.slice(at, end).find(r"\rangle")?;
+            let inside = self.slice(next, close);
+            let is_plain = !inside.contains(['=', '<', '>']) && !inside.contains(r"\langle");
+            return is_plain.then(|| close + r"\rangle".len());
+        }
+        let script = self.after_blanks(next, end);
+        let takes_term = match self.slice(at, next) {
+            r"\max" | r"\min" | r"\sup" | r"\inf" | r"\argmax" | r"\argmin" => self.byte(script) == b'_',
+            r"\sum" | r"\prod" if self.byte(script) == b'_' => {
+                let from = self.slice(script, self.script_end(script, end));
+                !from.contains('=') || from.contains(r"\in") || from.contains(r"\neq")
+            }
+            r"\oint" | r"\iint" | r"\iiint" => true,
+            _ => false,
+        };
+        if takes_term {
+            return self
+                .term_end(next, end)
+                .filter(|close| !self.slice(next, *close).trim().is_empty());
+        }
+        if [r"\Delta", r"\delta"].contains(&self.slice(at, next)) {
+            // the difference or variation of a letter is one name
+            let letter = self.after_spaces(next, end);
+            if let Some(behind) = self.name_end(letter, end) {
+                return Some(behind);
+            }
+        }
+        let name_end = self.name_end(at, end)?;
+        let name = self.slice(at, name_end);
+        let is_operator = [r"\mathbb", r"\Pr", r"\nabla"]
+            .iter()
+            .any(|command| name.starts_with(command));
+        if [
+            r"\mathbb{Z}",
+            r"\mathbb{N}",
+            r"\mathbb{Q}",
+            r"\mathbb{R}",
+            r"\mathbb{C}",
+        ]
+        .iter()
+        .any(|set| name.starts_with(set))
+        {
+            return None;
+        }
+        let behind = self.scripts_end(name_end, end, is_operator);
+        let mut open = self.after_spaces(behind, end);
+        if is_operator && [r"\cdot", r"\times"].contains(&self.slice(open, self.token_end(open))) {
+            open = self.after_blanks(self.token_end(open), end);
+        }
+        let sized = self.slice(open, self.token_end(open).min(end));
+        if [r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\big", r"\Big", r"\bigg"].contains(&sized) {
+            open = self.after_blanks(self.token_end(open), end);
+        }
+        let is_brace = self.slice(open, self.token_end(open).min(end)) == r"\{";
+        if open < end && (is_brace || matches!(self.byte(open), b'(' | b'[')) {
+            let (start, close) = match is_brace {
+                true => {
+                    let length = self.slice(open, end).find(r"\}")?;
+                    (open + 2, open + length + 1)
+                }
+                false => (open + 1, self.partner(open, end)?),
+            };
+            let inside = self
+                .slice(start, close)
+                .trim_end_matches([' ', '\\'])
+                .trim_end_matches(r"\right");
+            let has_several = has_at_top(inside, &[",", ";", "|", r"\mid", r"\vert"]);
+            let is_relation = has_at_top(inside, &["=", "<", ">"]);
+            let is_called = has_several || (self.may_be_function(at, name_end, inside) && self.byte(open) == b'(');
+            return ((is_operator || is_called) && !is_relation && !inside.trim().is_empty()).then_some(close + 1);
+        }
+        // a letter in bold is another than the plain one
+        if [r"\mathbf", r"\bm", r"\boldsymbol"]
+            .iter()
+            .any(|command| name.starts_with(command))
+        {
+            let of = name
+                .split_once('{')
+                .map_or("", |(_, of)| of.trim_end_matches('}').trim());
+            let is_one = of.len() == 1 && of.bytes().all(|byte| byte.is_ascii_alphabetic()) || is_letter_command(of);
+            return is_one.then_some(name_end);
+        }
+        if !is_operator {
+            return None;
+        }
+        let takes_factor = [
+            r"\mathbb{E}",
+            r"\mathbb E",
+            r"\mathbb{P}",
+            r"\mathbb P",
+            r"\nabla",
+            r"\Pr",
+        ];
+        if !takes_factor.contains(&name) {
+            return Some(name_end);
+        }
+        // an operator with the factor behind it
+        match self.name_end(open, end) {
+            Some(operand) => Some(self.scripts_end(operand, end, true)),
+            None => self.term_end(open, end).filter(|close| *close > open),
+        }
+    }
+
+    /// Whether a letter before this may be a function of it: one that mostly is, or before a single term, which a factor would
+    /// need no bracket for.
+    fn may_be_function(&self, at: usize, name_end: usize, inside: &str) -> bool {
+        let name = self.slice(at, name_end);
+        let letter = name
+            .strip_suffix('}')
+            .and_then(|name| name.rsplit('{').next())
+            .unwrap_or(name);
+        let declared = self.names.functions.iter().any(|known| known.base == letter);
+        let bare = |text: &str| text.replace(['{', '}', ' '], "");
+        let whole = bare(self.slice(at, self.scripts_end(name_end, self.source.len(), false)));
+        let opaque = self.names.opaque.as_ref();
+        let is_given = |known: &Name| bare(&known.to_string()) == whole.trim_end_matches('\'');
+        if opaque.is_some_and(|opaque| opaque.functions.iter().any(is_given)) {
+            return false;
+        }
+        let is_word = letter.len() > 1 && letter.bytes().all(|byte| byte.is_ascii_alphabetic());
+        if is_word {
+            // \operatorname{Var}(x), Var(x)
+            return !declared && Elementary::by_word(letter).is_none() && invariant(letter).is_none();
+        }
+        if declared
+            || opaque.is_some_and(|opaque| opaque.factors.contains(letter))
+            || ["e", "i", "d", r"\pi"].contains(&letter)
+        {
+            return false;
+        }
+        let single = inside.trim().trim_start_matches('-');
+        let is_single = !has_at_top(single, &["+", "-", r"\pm", r"\mp"]);
+        is_single || FUNCTIONS.contains(&letter) || name.starts_with(r"\mathcal")
+    }
+
+    /// Where a name ends that starts at a byte: a letter, or a command for one with what it stands over.
+    fn name_end(&self, at: usize, end: usize) -> Option<usize> {
+        let next = self.token_end(at);
+        if at >= end || next > end {
+            return None;
+        }
+        let token = self.slice(at, next);
+        let of_group = [
+            r"\mathbb",
+            r"\mathcal",
+            r"\mathscr",
+            r"\mathbf",
+            r"\bm",
+            r"\boldsymbol",
+            r"\hat",
+            r"\widehat",
+            r"\tilde",
+            r"\widetilde",
+            r"\bar",
+            r"\overline",
+            r"\vec",
+            r"\operatorname",
+            r"\mathrm",
+        ];
+        if of_group.contains(&token) {
+            let open = self.after_blanks(next, end);
+            return match self.byte(open) {
+                b'{' => self
+                    .closing
+                    .get(open)
+                    .copied()
+                    .flatten()
+                    .filter(|close| *close < end)
+                    .map(|close| close + 1),
+                byte if byte.is_ascii_alphanumeric() && token.starts_with(r"\math") => Some(open + 1),
+                _ => None,
+            };
+        }
+        // Prob(A)
+        let word = self.slice(at, end);
+        let length = word.bytes().take_while(u8::is_ascii_alphabetic).count();
+        if length > 1 && word.starts_with(|c: char| c.is_ascii_uppercase()) {
+            let word = word.get(..length).unwrap_or_default();
+            let behind = self.after_blanks(at + length, end);
+            let is_called = matches!(self.byte(behind), b'(' | b'[') || self.slice(behind, end).starts_with(r"\left");
+            let is_word = word.bytes().skip(1).all(|byte| byte.is_ascii_lowercase());
+            if is_called && is_word && invariant(word).is_none() && Elementary::by_word(word).is_none() {
+                return Some(at + length);
+            }
+        }
+        let is_letter = match token.strip_prefix('\\') {
+            Some("Pr" | "nabla") => true,
+            Some(_) => is_letter_command(token),
+            None => token.bytes().all(|byte| byte.is_ascii_alphabetic()),
+        };
+        is_letter.then_some(next)
+    }
+
+    /// Where the subscripts and primes behind a name end, and its powers where they are asked for.
+    fn scripts_end(&self, name_end: usize, end: usize, has_powers: bool) -> usize {
+        let mut at = name_end;
+        loop {
+            let start = self.after_blanks(at, end);
+            at = match self.byte(start) {
+                _ if start >= end => return at,
+                b'\'' => start + 1,
+                b'_' => self.script_end(start, end),
+                b'^' if has_powers => self.script_end(start, end),
+                _ => return at,
+            };
+        }
+    }
+
+    fn script_end(&self, sign: usize, end: usize) -> usize {
+        let start = self.after_blanks(sign + 1, end);
+        match self.closing.get(start).copied().flatten() {
+            Some(close) => (close + 1).min(end),
+            None => self.token_end(start).min(end),
+        }
     }
 
     /// Writes the command between two bytes as what it stands for, and returns where its arguments end.
@@ -609,6 +878,77 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// Letters that stand for functions more often than for factors.
+const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
+
+/// Commands that end a term.
+const ENDS: [&str; 22] = [
+    r"\\",
+    r"\pm",
+    r"\mp",
+    r"\le",
+    r"\leq",
+    r"\leqslant",
+    r"\ge",
+    r"\geq",
+    r"\geqslant",
+    r"\ne",
+    r"\neq",
+    r"\approx",
+    r"\sim",
+    r"\equiv",
+    r"\to",
+    r"\in",
+    r"\quad",
+    r"\qquad",
+    r"\text",
+    r"\right",
+    r"\end",
+    r"\coloneqq",
+];
+
+/// What opens and closes a symbol that is a whole term.
+pub(super) const OPAQUE: [char; 2] = ['\u{e000}', '\u{e001}'];
+
+/// A term as one symbol, however its brackets and blanks are printed.
+fn opened(term: &str) -> String {
+    let sizes = [
+        r"\left", r"\right", r"\bigl", r"\bigr", r"\Bigl", r"\Bigr", r"\biggl", r"\biggr", r"\,", r"\;", r"\!", r"\:",
+    ];
+    let plain = sizes
+        .iter()
+        .fold(term.to_owned(), |plain, size| plain.replace(size, " "));
+    let words: Vec<&str> = plain.split_whitespace().collect();
+    let mut text = String::new();
+    for word in words {
+        // a command ends before a letter
+        let ends_in_command = text
+            .rfind('\\')
+            .is_some_and(|at| text[at + 1..].bytes().all(|byte| byte.is_ascii_alphabetic()));
+        if ends_in_command && word.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            text.push(' ');
+        }
+        text.push_str(word);
+    }
+    format!("{}{text}{}", OPAQUE[0], OPAQUE[1])
+}
+
+/// Returns true if one of these signs stands in a text outside of brackets and braces.
+fn has_at_top(text: &str, signs: &[&str]) -> bool {
+    let mut depth = 0_i32;
+    text.char_indices().any(|(at, c)| {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+            && signs
+                .iter()
+                .any(|sign| text.get(at..).is_some_and(|rest| rest.starts_with(sign)))
+    })
+}
+
 /// The letters and commands of a text, in which letters of commands are none.
 fn names_anywhere(text: &str) -> impl Iterator<Item = &str> {
     let bytes = text.as_bytes();
@@ -651,10 +991,11 @@ fn brackets(open: u8) -> [&'static str; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Opaque;
     use super::*;
 
     fn plain(source: &str) -> String {
-        let rewritten = Plain::of(source);
+        let rewritten = Plain::of(source, &Names::default());
         rewritten.text.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
@@ -696,12 +1037,40 @@ mod tests {
     #[test]
     fn what_needs_nothing_is_left_as_it_is_and_places_are_those_of_the_source() {
         let source = r"\frac{a}{b} = c % \dv{x}";
-        assert!(matches!(Plain::of(source).text, Cow::Borrowed(_)));
+        assert!(matches!(Plain::of(source, &Names::default()).text, Cow::Borrowed(_)));
         let source = r"a + \cancel{b} = \qty(c) ? d";
-        let rewritten = Plain::of(source);
+        let rewritten = Plain::of(source, &Names::default());
         for sign in ["b", "?", "d"] {
             let at = rewritten.text.rfind(sign).unwrap();
             assert_eq!(rewritten.source(at), source.rfind(sign).unwrap(), "{sign}");
+        }
+    }
+
+    #[test]
+    fn a_term_that_is_not_understood_is_one_symbol_where_that_is_asked_for() {
+        let names = Names {
+            opaque: Some(Opaque::default()),
+            functions: vec![Name::plain("x")],
+            ..Names::default()
+        };
+        for (source, wanted) in [
+            (r"\mathbb{E}[X + 1] = a", "<\\mathbb{E}[X+1]> = a"),
+            (
+                r"\mathbb E_t \left[ c_{t+1} \right] + x(t)",
+                "<\\mathbb E_t[c_{t+1}]> + x(t)",
+            ),
+            (r"p(x | y) p(y) = p(x, y)", "<p(x|y)> <p(y)> = <p(x,y)>"),
+            (r"m(a + b) + f(a + b) + \sin(a)", r"m(a + b) + <f(a+b)> + \sin(a)"),
+            (r"\nabla^2 u + \nabla \cdot v", r"<\nabla^2u> + <\nabla\cdot v>"),
+            (r"\langle a, b \rangle^2", r"<\langle a,b\rangle>^2"),
+            (r"n \in \mathbb{Z}", r"n \in \mathbb{Z}"),
+        ] {
+            let text = Plain::of(source, &names)
+                .text
+                .replace(OPAQUE[0], "<")
+                .replace(OPAQUE[1], ">");
+            assert_eq!(text, wanted, "{source}");
+            assert!(!Plain::of(source, &Names::default()).text.contains(OPAQUE[0]));
         }
     }
 
@@ -718,7 +1087,19 @@ mod tests {
             "0{,}",
         ] {
             let deep = part.repeat(20_000);
-            assert!(Plain::of(&deep).text.len() <= 12 * deep.len(), "{part}");
+            assert!(
+                Plain::of(
+                    &deep,
+                    &Names {
+                        opaque: Some(Opaque::default()),
+                        ..Names::default()
+                    }
+                )
+                .text
+                .len()
+                    <= 12 * deep.len(),
+                "{part}"
+            );
         }
     }
 }

@@ -1,8 +1,10 @@
 //! TeX source -> tokens. What does not change the meaning (blanks, sizes, fonts, alignment) ends here.
 
+use super::Names;
 use super::Relation;
 use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, shape, spelled};
 use super::error::{Fault, Reason};
+use super::layout::{OPAQUE, Plain};
 use super::nearest::nearest;
 use super::token::{Bracket, Kind, Rows, Set, Token};
 use std::collections::BTreeMap;
@@ -83,6 +85,10 @@ const COMMON: [&str; 72] = [
     r"\leq",
 ];
 
+/// What opens and closes a symbol that is a whole term.
+const OPENED: char = OPAQUE[0];
+const CLOSED: char = OPAQUE[1];
+
 /// The least width of a blank that may part equations, in eighteenths of a quad: two spaces between words.
 const WIDE: u32 = 12;
 
@@ -100,12 +106,13 @@ pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
 }
 
 /// The letters of `tex` as far as it can be read, each with how it is printed: in bold or not, and in which of two shapes.
-pub fn letters(tex: &str) -> Vec<(&str, String)> {
-    let mut lexer = Lexer::new(tex);
+pub fn letters(tex: &str, names: &Names) -> Vec<(String, String)> {
+    let plain = Plain::of(tex, names);
+    let mut lexer = Lexer::new(&plain.text);
     while matches!(lexer.step(), Ok(true)) {}
-    let printed = |(letter, shape, font): (_, &str, &str)| match font {
-        "" => (letter, shape.to_owned()),
-        font => (letter, format!("{font}{{{shape}}}")),
+    let printed = |(letter, shape, font): (&str, &str, &str)| match font {
+        "" => (letter.to_owned(), shape.to_owned()),
+        font => (letter.to_owned(), format!("{font}{{{shape}}}")),
     };
     lexer.letters.into_iter().map(printed).collect()
 }
@@ -214,6 +221,12 @@ impl<'a> Lexer<'a> {
         }
         let rest = self.rest();
         match c {
+            OPENED => {
+                let length = rest.find(CLOSED).unwrap_or(rest.len());
+                let text = rest.get(OPENED.len_utf8()..length).unwrap_or_default();
+                let (at, end) = (self.at, (self.at + length + CLOSED.len_utf8()).min(self.tex.len()));
+                return self.push_as(Kind::Letter, text, at, end);
+            }
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
             '$' => self.at += 1,
             '~' => return self.blank(WORD_SPACE, self.at + 1),

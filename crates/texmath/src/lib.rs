@@ -87,13 +87,13 @@ pub use doubt::{Doubt, DoubtKind, Doubts, OtherReading};
 pub use elementary::{Elementary, Parity};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
+pub use layout::LONGEST;
 pub use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
-pub use names::Names;
+pub use names::{Names, Opaque};
 pub use nearest::nearest;
 pub use nodes::{any, any_side, holds, holds_indefinite, names_in, nodes_of, parts, speaks_of, with_part, with_symbol};
 pub use place::{Lines, Place};
-pub use statement::LONGEST;
 pub use substitute::{
     flies, mapped, number_of, put_in, put_in_throughout, rewrite, rewrite_alone, rewrite_condition, rewrite_equation,
     runs, tree_runs,

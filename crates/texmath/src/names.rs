@@ -1,6 +1,7 @@
 //! What a reader must be told of a formula's vocabulary.
 
 use super::{Name, Tree};
+use std::collections::BTreeSet;
 
 /// The names that are read in a special way. All else is a symbol of one letter, and a bracket after it a factor.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -21,6 +22,18 @@ pub struct Names {
     pub complex: Vec<Name>,
     /// The symbol that functions without an argument are taken at.
     pub running: Option<Name>,
+    /// Where this is given, a term that is not understood is a symbol.
+    pub opaque: Option<Opaque>,
+}
+
+/// What is read where a term that is not understood is a symbol: `\\mathbb{E}[x]`, `p(x | y)`, and a letter before brackets that
+/// may hold its argument.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Opaque {
+    /// Letters that are factors before brackets.
+    pub factors: BTreeSet<String>,
+    /// Functions whose arguments stand in them.
+    pub functions: Vec<Name>,
 }
 
 impl Names {

@@ -1,5 +1,6 @@
 //! What stands in a tree.
 
+use super::command::is_letter;
 use super::{Equation, Name, Operation, Tree};
 use std::collections::BTreeSet;
 
@@ -46,7 +47,9 @@ pub fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
             Tree::Symbol(name, _) => {
                 names.insert(name.clone());
             }
-            Tree::Call(name, ..) if !name.base.starts_with('\\') || !name.accents.is_empty() => {
+            Tree::Call(name, ..)
+                if !name.base.starts_with('\\') || !name.accents.is_empty() || is_letter(&name.base) =>
+            {
                 names.insert(name.clone());
             }
             _ => {}

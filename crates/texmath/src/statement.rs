@@ -8,12 +8,9 @@
 use super::Relation;
 use super::bars::pair_bars;
 use super::error::{Fault, Reason};
-use super::layout::Plain;
+use super::layout::{LONGEST, Plain};
 use super::lexer::{INTEGERS, lex};
 use super::token::{Bracket, Kind, Set, Token};
-
-/// The longest formula that is read, in bytes.
-pub const LONGEST: usize = 100_000;
 
 /// The tokens of an equation, never none.
 pub(super) struct Statement<'a> {

@@ -11,8 +11,8 @@ use super::marks::{Marks, Stated};
 use super::members::Members;
 use super::scan::Formula;
 use crate::tex::{
-    Display, Elementary, Equation, Name, Names, Operation, ReadError, Relation, Symbols, Tree, any, any_side,
-    is_constant, names_in, pair_of, read_display, read_name, with_commands,
+    Display, Elementary, Equation, Name, Names, Opaque, Operation, ReadError, Relation, Symbols, Tree, any, any_side,
+    functions_given, is_constant, names_in, pair_of, read_display, read_name, with_commands,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -24,6 +24,8 @@ pub(super) struct Guessed {
     pub follows_from: Vec<String>,
     /// What its verdict rests on that nobody said.
     pub guessed: Vec<String>,
+    /// True if it may be a law: nothing before speaks of one of its letters, and its sides have different ones.
+    pub may_be_law: bool,
 }
 
 /// Guesses formula by formula, in the order of the document.
@@ -36,19 +38,20 @@ pub(super) struct Guess {
     constants: Constants,
     /// Letters of constants to which the document gives a value of its own.
     given: BTreeSet<Name>,
-    /// Whether matrices or their operations are printed.
-    has_matrices: bool,
     /// Letters before a bracket that may be functions, and pairs of letters in a commutator.
     called: BTreeSet<String>,
-    /// A letter that a formula in one letter gives, before a bracket with that one: `A(r`.
-    applied: BTreeSet<String>,
-    commutators: Vec<[String; 2]>,
+    /// What each formula leaves open, by its label.
+    open: HashMap<String, &'static str>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
     complex: BTreeSet<Name>,
     /// Letters that are marked as more than real numbers.
     marks: Marks,
     /// Letters before brackets.
     factors: Factors,
+    /// The functions that one formula gives, `f(x) = x^2`.
+    given_functions: BTreeSet<Name>,
+    /// What is read of terms that may be symbols; none where nothing is guessed.
+    opaque: Option<Opaque>,
     /// True if the document declares symbols.
     pub has_symbols: bool,
     /// True if it uses no others.
@@ -63,6 +66,8 @@ pub(super) struct Guess {
     definitions: HashMap<Name, String>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
+    /// What may be a law, with its names.
+    laws: Vec<(String, BTreeSet<Name>)>,
     /// All names that need a declaration.
     names: BTreeSet<Name>,
     /// The formulas of which nobody says what they are.
@@ -234,8 +239,26 @@ fn multiplies_operators(node: &Tree) -> bool {
     hats.len() > 1
 }
 
+/// Commands of the parts of complex numbers.
+const OF_COMPLEX: [&str; 6] = [
+    r"\Re",
+    r"\Im",
+    r"\operatorname{Re}",
+    r"\operatorname{Im}",
+    r"\mathrm{Re}",
+    r"\mathrm{Im}",
+];
+
+/// Whether a node is a term that is not understood and was read as one symbol.
+fn is_opaque(node: &Tree) -> bool {
+    matches!(node, Tree::Symbol(name, _) if name.base.contains(['(', '[', ' ']) || name.base.starts_with(r"\langle") || name.base.starts_with(r"\nabla"))
+}
+
 /// The running time of a document that does not say it.
 const TIME: &str = "t";
+
+/// Laws that a claim is taken to follow from, at most.
+const MOST_LAWS: usize = 2;
 
 /// Guesses that a verdict tells one by one.
 const MOST_TOLD: usize = 6;
@@ -264,6 +287,26 @@ impl Guess {
         }
         let mut names = symbols.names.clone();
         names.functions.extend(functions.iter().cloned());
+        let given = formulas
+            .iter()
+            .flat_map(|formula| functions_given(formula.tex.as_deref().unwrap_or_default(), &names));
+        let mut count: HashMap<Name, usize> = HashMap::new();
+        for (name, argument) in given {
+            let is_letter = argument == Name::plain(&argument.base) && !is_constant(&argument);
+            *count.entry(name).or_default() += if is_letter { 1 } else { 2 };
+        }
+        // what is given twice is a value each time
+        let once = count
+            .into_iter()
+            .filter(|(name, count)| *count == 1 && name.primes == 0 && !functions.contains(name));
+        names.defined = once.map(|(name, _)| name).collect();
+        names.defined.sort();
+        let given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
+        let opaque = (!is_strict).then(|| Opaque {
+            factors: symbols.parameters().map(|name| name.base.clone()).collect(),
+            functions: given_functions.iter().cloned().collect(),
+        });
+        names.opaque.clone_from(&opaque);
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
             let read = implication::formulas(tex)
@@ -274,7 +317,7 @@ impl Guess {
             displays.flat_map(|display| display.equations).collect()
         };
         let read: Vec<Vec<Equation>> = formulas.iter().map(stated).collect();
-        let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        let (mut given, mut complex) = (BTreeSet::new(), BTreeSet::new());
         let mut constants = Constants::default();
         for equation in read.iter().flatten() {
             constants.read(equation);
@@ -286,10 +329,6 @@ impl Guess {
             names_in(&equation.left, &mut all);
             constants.i_is_index |= all.iter().any(numbered);
             if let Tree::Symbol(name, _) = &equation.left {
-                let mut letters = names.iter().filter(|name| !is_constant(name));
-                if let (Some(one), None) = (letters.next(), letters.next()) {
-                    applied.insert(plain(&format!("{name}({one}")));
-                }
                 given.extend(is_constant(name).then(|| name.clone()));
                 let is_unit = |name: &Name| is_constant(name) && name.base == "i";
                 complex.extend(names.iter().any(is_unit).then(|| name.clone()));
@@ -320,15 +359,16 @@ impl Guess {
                 shown.zip(read.iter().map(Vec::as_slice)),
                 &commutators,
                 !constants.i_is_index,
+                has_matrices,
                 members.clone(),
             ),
         };
         Self {
-            has_matrices,
             called: called.map(str::to_owned).collect(),
-            applied,
-            commutators,
+            open: HashMap::new(),
             marks,
+            opaque,
+            given_functions,
             factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
             read,
@@ -342,6 +382,7 @@ impl Guess {
             met: HashSet::new(),
             definitions: HashMap::new(),
             premises: Vec::new(),
+            laws: Vec::new(),
             names: BTreeSet::new(),
             guessed: HashMap::new(),
             doubtful: HashSet::new(),
@@ -352,8 +393,20 @@ impl Guess {
 
     /// What formula number `at`, called `label`, is; `role` is what its author says, `is_founded` whether he says what it follows
     /// from, `is_doubtful` whether another row of its display could be a condition on it.
-    pub fn of(&mut self, at: usize, label: &str, role: Option<Role>, is_founded: bool, is_doubtful: bool) -> Guessed {
+    pub fn of(
+        &mut self,
+        at: usize,
+        label: &str,
+        tex: &str,
+        is_link: bool,
+        role: Option<Role>,
+        is_founded: bool,
+        is_doubtful: bool,
+    ) -> Guessed {
         self.numbers.insert(label.to_owned(), at);
+        if let Some(open) = self.open(at, tex) {
+            self.open.insert(label.to_owned(), open);
+        }
         let equations = self.read.get(at).cloned().unwrap_or_default();
         let new = match equations.as_slice() {
             [equation] => self.defined(equation),
@@ -373,8 +426,13 @@ impl Guess {
             }
         }
         let mut below = self.definitions_of(&names);
+        let may_be_law = is_guess && role == Role::Claim && !is_link && self.may_be_law(&equations, &names);
         if is_guess && role == Role::Claim {
             below.extend(self.premises.iter().cloned());
+            match may_be_law {
+                true => self.laws.push((label.to_owned(), names.clone())),
+                false => below.extend(self.laws_of(&names)),
+            }
         }
         let mut guessed = Vec::new();
         if role == Role::Claim {
@@ -418,83 +476,85 @@ impl Guess {
             role,
             follows_from,
             guessed,
+            may_be_law,
         }
     }
 
-    /// Why what formula number `at` speaks of cannot be guessed.
-    pub fn problem(&self, at: usize, tex: &str) -> Option<String> {
-        let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm", r"\mathsf", r"\mathfrak"]
-            .iter()
-            .any(|command| tex.contains(command));
+    /// Returns true if an equation introduces a letter, and its sides have different ones.
+    fn may_be_law(&self, equations: &[Equation], names: &BTreeSet<Name>) -> bool {
+        let [equation] = equations else {
+            return false;
+        };
+        let [left, right] = [&equation.left, &equation.right].map(|side| {
+            let mut own = BTreeSet::new();
+            names_in(side, &mut own);
+            own.retain(|name| !is_constant(name));
+            own
+        });
+        let is_new = |name: &Name| !is_constant(name) && !self.met.contains(name) && !self.symbols.knows(name);
+        left != right && names.iter().any(is_new)
+    }
+
+    /// The last laws so far that share a letter with a formula.
+    fn laws_of(&self, names: &BTreeSet<Name>) -> Vec<String> {
+        let shares =
+            |(_, own): &&(String, BTreeSet<Name>)| own.iter().any(|name| !is_constant(name) && names.contains(name));
+        let near = self.laws.iter().rev().filter(shares).take(MOST_LAWS);
+        near.map(|(label, _)| label.clone()).collect()
+    }
+
+    /// What formula number `at` leaves open, so that nothing is decided of it.
+    fn open(&self, at: usize, tex: &str) -> Option<&'static str> {
         let shown = plain(tex);
         let inverts = |letter: &String| {
             [r"^{-1}", r"^-1"]
                 .iter()
                 .any(|power| shown.contains(&format!("{letter}{power}")))
         };
-        let holds = |letter: &String| shown.contains(letter.as_str());
-        let problem = if is_bold {
-            "vectors and matrices are not guessed"
-        } else if is_called(&shown, &|letter| self.is_of_known_kind(letter)) {
-            "a function or a factor before a bracket is not guessed"
-        } else if shown.contains(r"\top") {
-            "transposes are not guessed"
-        } else if self.called.iter().any(inverts) {
-            "an inverse function or a power is not guessed"
-        } else if self.commutators.iter().any(|pair| pair.iter().all(holds)) {
-            "what commutes is not guessed"
-        } else if [
-            r"\Re",
-            r"\Im",
-            r"\operatorname{Re}",
-            r"\operatorname{Im}",
-            r"\mathrm{Re}",
-            r"\mathrm{Im}",
-            r"\arg",
-        ]
-        .iter()
-        .any(|part| shown.contains(part))
-        {
-            "whether a symbol is complex is not guessed"
-        } else if shown.contains(r"\ast") {
-            "a convolution or a product is not guessed"
-        } else if (shown.contains('|') || shown.contains("vert")) && shown.contains(r"\cdot") {
-            "a product of vectors or of numbers is not guessed"
-        } else if self.applied.iter().any(|call| shown.contains(call.as_str())) {
-            "a formula before a bracket that may be its argument is not guessed"
-        } else if crosses_letters(&shown) {
-            "a product of vectors or of numbers is not guessed"
-        } else if shown.contains(r"\|") || shown.contains(r"\Vert") || shown.contains(r"\lVert") {
-            "norms are not guessed"
-        } else {
-            self.read.get(at).into_iter().flatten().find_map(|equation| {
-                let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
-                if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.is_pair_of_functions(name))) {
-                    Some("a letter that is a function elsewhere and a pair of numbers here is not guessed")
-                } else if has_dependence(equation) || is_some(&mut is_rate) {
-                    Some("what depends on what is not guessed")
-                } else if only_reorders(equation) {
-                    Some("whether factors may change places is not guessed")
-                } else if is_some(&mut |node| acts_on_a_letter(node)) {
-                    Some("a difference, a variation or an operator is not guessed")
-                } else if is_some(&mut |node| multiplies_operators(node)) {
-                    Some("products of operators are not guessed")
-                } else if is_some(&mut |node| has_index_above(node)) {
-                    Some("an index or an exponent is not guessed")
-                } else if is_some(&mut |node| self.constants.is_doubtful(node)) {
-                    Some("whether `e` or `i` is the number is not guessed")
-                } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
-                    Some("a letter of a constant that the document gives a value is not guessed")
-                } else if self.has_matrices && is_some(&mut |node| self.may_be_matrix(node)) {
-                    Some("whether a letter is a matrix is not guessed")
-                } else if is_some(&mut |node| self.is_modulus(node)) {
-                    Some("whether a symbol is complex is not guessed")
-                } else {
-                    None
-                }
-            })?
-        };
-        Some(format!("{problem}: say the symbols by `% audit: symbols ...`"))
+        let has = |parts: &[&str]| parts.iter().any(|part| shown.contains(part));
+        if self.called.iter().any(inverts) {
+            return Some("an inverse function, or a power?");
+        }
+        if has(&OF_COMPLEX) || shown.contains(r"\arg") {
+            return Some("real symbols, or complex ones?");
+        }
+        if shown.contains(r"\ast") {
+            return Some("a convolution, or a product?");
+        }
+        if has(&["|", "vert"]) && shown.contains(r"\cdot") || crosses_letters(&shown) {
+            return Some("a product of vectors, or of numbers?");
+        }
+        if has(&[r"\|", r"\Vert", r"\lVert"]) {
+            return Some("the norm of what?");
+        }
+        self.read.get(at).into_iter().flatten().find_map(|equation| {
+            let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
+            let binds = |node: &Tree| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some());
+            if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.is_pair_of_functions(name))) {
+                Some("a letter that is a function elsewhere and a pair of numbers here")
+            } else if has_dependence(equation)
+                || is_some(&mut is_rate)
+                || (is_some(&mut is_opaque) && is_some(&mut |node| binds(node)))
+            {
+                Some("what depends on what?")
+            } else if only_reorders(equation) {
+                Some("may factors change places?")
+            } else if is_some(&mut |node| acts_on_a_letter(node)) {
+                Some("a difference, a variation or an operator, or a factor?")
+            } else if is_some(&mut |node| multiplies_operators(node)) {
+                Some("operators, or numbers?")
+            } else if is_some(&mut |node| has_index_above(node)) {
+                Some("an index, or an exponent?")
+            } else if is_some(&mut |node| self.constants.is_doubtful(node)) {
+                Some("is `e` or `i` the number?")
+            } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
+                Some("a letter of a constant that the document gives a value")
+            } else if is_some(&mut |node| self.is_modulus(node)) {
+                Some("real symbols, or complex ones?")
+            } else {
+                None
+            }
+        })
     }
 
     /// Returns the assumptions that the notation of a claim makes, a clause each; `below` lists the formulas that each follows from.
@@ -522,6 +582,13 @@ impl Guess {
             false => !self.definitions.contains_key(name),
         };
         let mut doubts = self.marks.doubts(&stated, &is_free);
+        if !self.has_symbols {
+            let own = labels.iter().map(|label| label.as_str()).chain([label.as_str()]);
+            let open = own
+                .filter_map(|label| self.open.get(label))
+                .map(|open| (*open).to_owned());
+            doubts.extend(open.collect::<BTreeSet<String>>());
+        }
         for argument in stated
             .own
             .iter()
@@ -533,18 +600,6 @@ impl Guess {
             }
         }
         doubts
-    }
-
-    /// Returns true for a letter that is a function of time, or that the document declares.
-    fn is_of_known_kind(&self, letter: &str) -> bool {
-        let is_declared = || read_name(letter, &Names::default()).is_ok_and(|name| self.symbols.knows(&name));
-        self.functions.iter().any(|name| name.base == letter) || is_declared()
-    }
-
-    /// Whether this is a capital letter that nothing gives, in a document with matrices.
-    fn may_be_matrix(&self, node: &Tree) -> bool {
-        let is_capital = |name: &Name| name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase());
-        matches!(node, Tree::Symbol(name, _) if is_capital(name) && !self.definitions.contains_key(name))
     }
 
     /// Returns true if a pair such as `h_{1,2}` is of a letter that is a function, or that functions run over.
@@ -569,8 +624,14 @@ impl Guess {
 
     /// The name that an equation gives, where it is the first to speak of it.
     fn defined(&self, equation: &Equation) -> Option<Name> {
-        let Tree::Symbol(name, _) = &equation.left else {
-            return None;
+        let name = match &equation.left {
+            Tree::Symbol(name, _) => name,
+            Tree::Call(name, argument, _)
+                if self.given_functions.contains(name) && matches!(**argument, Tree::Symbol(..)) =>
+            {
+                name
+            }
+            _ => return None,
         };
         let mut right = BTreeSet::new();
         names_in(&equation.right, &mut right);
@@ -702,7 +763,7 @@ impl Guess {
         let mut found = BTreeMap::new();
         for entry in unread {
             let at = self.numbers.get(printed_label(&entry.label));
-            if at.is_none_or(|&at| self.problem(at, &entry.tex.tex).is_some()) {
+            if at.is_none_or(|&at| self.open(at, &entry.tex.tex).is_some()) {
                 continue;
             }
             let functions = of_time(entry)
@@ -757,6 +818,7 @@ impl Guess {
         let is_declared = |name: &String| {
             let alone = RawSymbols {
                 parameters: vec![name.clone()],
+                opaque: self.opaque.clone(),
                 ..RawSymbols::default()
             };
             alone.read().is_ok()
@@ -773,6 +835,7 @@ impl Guess {
         };
         let symbols = RawSymbols {
             parameters: parameters.into_iter().collect(),
+            opaque: self.opaque.clone(),
             ..RawSymbols::default()
         };
         let with_functions = RawSymbols {
@@ -888,13 +951,8 @@ fn last_name(before: &str) -> Option<Name> {
 /// Letters that stand for functions more often than for factors.
 const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
 
-/// Whether a letter before a bracket may be a function: one that mostly is, or before a single term, which a factor would
+/// The letters before a bracket that may be functions: those that mostly are, and those before a single term, which a factor would
 /// need no bracket for; those of time are known. What is shown has no blanks, and no `\left`.
-fn is_called(shown: &str, is_of_time: &dyn Fn(&str) -> bool) -> bool {
-    letters_called(shown, is_of_time).next().is_some()
-}
-
-/// Those letters.
 fn letters_called<'a>(shown: &'a str, is_of_time: &'a dyn Fn(&str) -> bool) -> impl Iterator<Item = &'a str> {
     shown.match_indices(['(', '[']).filter_map(move |(at, bracket)| {
         let (before, inside) = (&shown[..at], &shown[at + 1..]);

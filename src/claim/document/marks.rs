@@ -3,7 +3,7 @@
 use super::members::{Members, contains_unit, j_is_unit};
 use super::words::is_identity_of_words;
 use crate::tex::{
-    Equation, Invariant, Name, Operation, Relation, Tree, any, base_alone, is_constant, letters, names_in,
+    Equation, Invariant, Name, Names, Operation, Relation, Tree, any, base_alone, is_constant, letters, names_in,
 };
 use std::collections::BTreeSet;
 
@@ -44,6 +44,18 @@ const OF_MATRICES: [&str; 16] = [
     r"\text{tr}",
     r"\text{Tr}",
     r"\text{rank}",
+];
+
+/// What terms that are not understood start with where they may be no numbers.
+const OF_OPERATORS: [&str; 8] = [
+    r"\mathbb",
+    r"\mathcal",
+    r"\mathscr",
+    r"\mathbf",
+    r"\bm",
+    r"\boldsymbol",
+    r"\nabla",
+    r"\langle",
 ];
 
 /// Commands of the parts of complex numbers.
@@ -93,6 +105,7 @@ impl Marks {
         formulas: impl Iterator<Item = (&'a str, &'a [Equation])> + Clone,
         commutators: &[[String; 2]],
         unit_is_number: bool,
+        has_matrices: bool,
         mut members: Members,
     ) -> Self {
         let mut marks = Self::default();
@@ -106,11 +119,15 @@ impl Marks {
             members.add(tex);
             // i \hbar \dot\psi = H \psi, of which nothing more is known where it cannot be read
             if equations.is_empty() && unit_is_number && contains_unit(tex) {
-                letters_of_complex.extend(letters(tex).into_iter().map(|(letter, _)| letter.to_owned()));
+                letters_of_complex.extend(
+                    letters(tex, &Names::default())
+                        .into_iter()
+                        .map(|(letter, _)| letter.to_owned()),
+                );
             }
             letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
             letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
-            let printed = letters(tex).into_iter();
+            let printed = letters(tex, &Names::default()).into_iter();
             letters_of_matrices.extend(
                 printed
                     .filter(|(_, shape)| shape.starts_with(r"\mathbf"))
@@ -127,6 +144,11 @@ impl Marks {
                     marks.read(node);
                     if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
                         if letters_of_matrices.contains(&name.base) && name.accents.is_empty() {
+                            marks.operators.insert(name.clone());
+                        }
+                        let is_capital = name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase());
+                        let is_of_operator = OF_OPERATORS.iter().any(|command| name.base.starts_with(command));
+                        if (has_matrices && is_capital && !is_constant(name)) || is_of_operator {
                             marks.operators.insert(name.clone());
                         }
                         if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
@@ -489,7 +511,7 @@ fn arguments(tex: &str, commands: &[&str]) -> Vec<String> {
                 Some(c) => c.len_utf8(),
                 None => 0,
             };
-            let own = letters(rest.get(..length).unwrap_or_default());
+            let own = letters(rest.get(..length).unwrap_or_default(), &Names::default());
             found.extend(own.into_iter().map(|(letter, _)| letter.to_owned()));
         }
     }

@@ -144,8 +144,8 @@ impl Members {
 
 /// Returns the letters that TeX prints.
 fn letters(tex: &str) -> impl Iterator<Item = String> {
-    let printed = crate::tex::letters(tex).into_iter();
-    printed.map(|(letter, _)| letter.to_owned())
+    let printed = crate::tex::letters(tex, &crate::tex::Names::default()).into_iter();
+    printed.map(|(letter, _)| letter)
 }
 
 /// Returns the formulas between single dollars, paragraph by paragraph, where their signs come in pairs.

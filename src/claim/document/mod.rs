@@ -13,7 +13,7 @@ mod scan;
 mod tex;
 mod words;
 
-use super::entry::{RawEntry, Role};
+use super::entry::{RawEntry, Role, Standing};
 use super::fault::{Fault, File, Source, Text};
 use super::sheet::{RawSheet, Sheet};
 use super::symbols::RawSymbols;
@@ -465,6 +465,8 @@ fn entries(
         of_the_pair,
         &whole.members,
     );
+    // nobody says anything of any formula
+    let is_plain = is_silent.iter().all(|is_silent| *is_silent) && whole.defaults.is_empty() && !guess.has_symbols;
     // each link of a chain with those before it
     let mut links: HashMap<String, Vec<String>> = HashMap::new();
     for (place, (formula, label)) in formulas.iter().zip(&labels.own).enumerate() {
@@ -492,11 +494,16 @@ fn entries(
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
-        let guessed = guess.of(at, label, role, own.follows_from.is_some(), is_doubtful);
+        let guessed = guess.of(
+            at,
+            label,
+            &tex,
+            formula.is_link,
+            role,
+            own.follows_from.is_some(),
+            is_doubtful,
+        );
         let mut unread = formula.tex.clone().err().or(own.problem);
-        if !guess.has_symbols {
-            unread = unread.or_else(|| guess.problem(at, &tex));
-        }
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
@@ -511,6 +518,13 @@ fn entries(
                 Err(problem) => unread = Some(format!("follows from `{asked}`, which is {problem}")),
             }
         }
+        let standing = match guessed.role {
+            _ if !is_plain || role.is_some() => Standing::Said,
+            Role::Definition => Standing::Definition,
+            _ if formula.is_link => Standing::Link,
+            _ if guessed.may_be_law => Standing::Law,
+            _ => Standing::Open,
+        };
         raw.equation.push(RawEntry {
             label: here(label.clone()),
             role: guessed.role,
@@ -522,6 +536,7 @@ fn entries(
             expect: own.expect.unwrap_or_default(),
             names: formula.labels.clone(),
             guessed: guessed.guessed,
+            standing,
             doubts: Vec::new(),
             unread,
             way: None,

@@ -62,7 +62,7 @@ impl Verdicts {
             for row in table.rows() {
                 let cell = |place: usize| row.get(place).map(|cell| cell.plain().into_owned()).unwrap_or_default();
                 let found = cell(verdict);
-                unexpected += usize::from(found != cell(expected));
+                unexpected += usize::from(!Table::is_expected(&found, &cell(expected)));
                 match counts.iter_mut().find(|(known, _)| *known == found) {
                     Some((_, count)) => *count += 1,
                     None => counts.push((found, 1)),
@@ -78,7 +78,7 @@ impl Verdicts {
         let own = place
             .filter(|place| *place < MOST_VERDICTS)
             .map(|place| (place + 1).to_string());
-        let open = (verdict != expected).then(|| OPEN.to_string());
+        let open = (!Table::is_expected(verdict, expected)).then(|| OPEN.to_string());
         let parts: Vec<String> = own.into_iter().chain(open).collect();
         parts.join(" ")
     }
@@ -144,7 +144,7 @@ impl Verdicts {
 fn badge(verdict: &str) -> Element {
     let class = match verdict {
         "proved" | "reproduced" => "verdict good",
-        "refuted" | "wrong" | "unread" => "verdict bad",
+        "refuted" | "wrong" | "unread" | "suspect" => "verdict bad",
         "truncated" | "off-by-one" | "rounded" => "verdict fair",
         _ => "verdict open",
     };
