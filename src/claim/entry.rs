@@ -95,7 +95,8 @@ pub struct Entry {
 }
 
 /// How a formula stands in a document, where nobody says what it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Standing {
     /// Its author says what it is.
     #[default]
@@ -132,7 +133,7 @@ pub(super) struct RawEntry {
     /// Guesses of a document, a clause each: with one of them nothing is refuted.
     #[serde(default)]
     pub guessed: Vec<String>,
-    #[serde(skip)]
+    #[serde(default)]
     pub standing: Standing,
     /// What the notation leaves open, a question each: with one of them nothing is proved either.
     #[serde(default)]

@@ -106,7 +106,8 @@ impl Sheet {
             refuse_constants_of_solutions(&mut entries, &symbols);
             note_constants_of_solutions(&mut entries, &symbols);
         }
-        if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
+        let is_decided = |entry: &Entry| entry.role == Role::Claim || entry.standing == Standing::Definition;
+        if !entries.iter().any(is_decided) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
             return Err(Fault::new(problem).at(&Source::new(lines, &Spanned::new(0..0, String::new()))));
         }
@@ -121,7 +122,19 @@ impl Sheet {
         sheet.write_functions_out();
         sheet.part_definitions();
         sheet.check_names();
+        sheet.leave_out_laws_that_are_unread();
         Ok(sheet)
+    }
+
+    /// What is taken for a law, and cannot be read, is none.
+    fn leave_out_laws_that_are_unread(&mut self) {
+        let is_unread_law = |entry: &Entry| entry.standing == Standing::Law && entry.unread.is_some();
+        let laws: HashSet<usize> = (0..self.entries.len())
+            .filter(|&position| self.entries.get(position).is_some_and(is_unread_law))
+            .collect();
+        for entry in self.entries.iter_mut().filter(|entry| entry.standing != Standing::Said) {
+            entry.follows_from.retain(|position| !laws.contains(position));
+        }
     }
 
     /// Writes functions that definitions give out where they are applied.

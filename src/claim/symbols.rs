@@ -6,7 +6,7 @@ use crate::tex::{
     speaks_of,
 };
 use serde::Deserialize;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// `[symbols]` as it stands in the file.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -33,8 +33,7 @@ pub struct RawSymbols {
     #[serde(skip)]
     pub only: bool,
     /// Where this is given, a term that is not understood is a symbol.
-    #[serde(skip)]
-    pub opaque: Option<Opaque>,
+    pub opaque: Option<RawOpaque>,
 }
 
 impl RawSymbols {
@@ -283,7 +282,10 @@ impl RawSymbols {
         Ok(Names {
             letters: texts.iter().filter_map(letter).collect(),
             words,
-            opaque: self.opaque.clone(),
+            opaque: self.opaque.clone().map(|opaque| Opaque {
+                factors: opaque.factors,
+                functions: opaque.functions,
+            }),
             ..Names::default()
         })
     }
@@ -380,6 +382,14 @@ fn equations(tex: &str, symbols: &Symbols) -> Result<Vec<Equation>, Fault> {
         true => Ok(equations),
         false => Err(Fault::new(format!("`{tex}`: an equation must stand here"))),
     }
+}
+
+/// What is read where a term that is not understood is a symbol, [`Opaque`].
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RawOpaque {
+    pub factors: BTreeSet<String>,
+    pub functions: BTreeSet<String>,
 }
 
 /// Left and right sides, as a table or as a list of equations.

@@ -85,7 +85,7 @@ const MAKERS: [(&str, &str, &str); 6] = [
 ];
 
 /// Returns the functions that use a verdict as a value, beyond comparisons and patterns, and those that set the verdict
-/// of a decision to what is not a plain `undecided` or `unread`.
+/// of a decision to what claims something: other than a plain `undecided`, `unread`, `given` or `suspect`.
 fn makers(file: &str, text: &str) -> Vec<(String, String)> {
     let (mut function, mut found) = (String::new(), Vec::new());
     for line in text.lines().map(str::trim) {
@@ -114,7 +114,11 @@ fn makers(file: &str, text: &str) -> Vec<(String, String)> {
             let in_literal = line.split_once("verdict: ").filter(|(before, _)| before.is_empty());
             in_literal.filter(|_| line.ends_with(',') && file.starts_with("prove/"))
         });
-        let is_open = |value: &str| ["Undecided", "Unread"].iter().any(|name| value.contains(name));
+        let is_open = |value: &str| {
+            ["Undecided", "Unread", "Given", "Suspect"]
+                .iter()
+                .any(|name| value.contains(name))
+        };
         // the type of a field
         if set.is_some_and(|(_, value)| !is_open(value) && value != "Verdict,") {
             found.push((file.to_owned(), function.clone()));

@@ -4,9 +4,9 @@
 //! They are those of the packages physics, mathtools, nicefrac, cancel, xcolor, siunitx and IEEEtrantools, and some of plain TeX.
 //! Each place of what is written knows where in the source it comes from.
 
+use super::Names;
 use super::command::{invariant, is_letter as is_letter_command};
 use super::elementary::Elementary;
-use super::{Name, Names};
 use std::borrow::Cow;
 use std::cell::Cell;
 
@@ -606,7 +606,7 @@ impl<'a> Writer<'a, '_> {
         let bare = |text: &str| text.replace(['{', '}', ' '], "");
         let whole = bare(self.slice(at, self.scripts_end(name_end, self.source.len(), false)));
         let opaque = self.names.opaque.as_ref();
-        let is_given = |known: &Name| bare(&known.to_string()) == whole.trim_end_matches('\'');
+        let is_given = |known: &String| bare(known) == whole.trim_end_matches('\'');
         if opaque.is_some_and(|opaque| opaque.functions.iter().any(is_given)) {
             return false;
         }
@@ -774,12 +774,16 @@ impl<'a> Writer<'a, '_> {
                         .iter()
                         .any(|text| names_anywhere(text).any(|other| other == *name))
                 };
-                if own.iter().any(is_elsewhere) {
+                // where no sign makes a factor of what is marked, it is printed as it is
+                let before = self.slice(0, at).trim_end();
+                let behind = self.slice(after, self.source.len()).trim_start();
+                let is_term = (before.is_empty() || before.ends_with(['+', '=', '(', '&', '{', '[']))
+                    && (behind.is_empty() || behind.starts_with(['+', '-', '=', ')', '&', ',', '.', '}', ']']));
+                if !is_term || own.iter().any(is_elsewhere) {
                     return None;
                 }
-                self.write("{", at);
+                self.is_changed = true;
                 self.inside(last?, depth);
-                self.write("}", at);
                 return Some(after);
             }
         }
@@ -1025,7 +1029,7 @@ mod tests {
             (r"\mqty[a & b \\ c & d]", r"\begin{bmatrix}a & b \\ c & d\end{bmatrix}"),
             (r"\num{1.5e-3} m", r"1.5 \cdot 10^{-3} m"),
             (r"a = b \tag{3} \qed", "a = b"),
-            (r"\underbrace{a + b}_{c} - b", "{a + b} - b"),
+            (r"\underbrace{a + b}_{c} - b", "a + b - b"),
             (r"\underbrace{a + b}_{c} - c", r"\underbrace{a + b}_{c} - c"),
             (r"\underbrace{a + b}_{= 0} - c", r"\underbrace{a + b}_{= 0} - c"),
             (r"\abs(x) + \abs{x}", r"\abs(x) + \left|x\right|"),
@@ -1050,7 +1054,7 @@ mod tests {
     fn a_term_that_is_not_understood_is_one_symbol_where_that_is_asked_for() {
         let names = Names {
             opaque: Some(Opaque::default()),
-            functions: vec![Name::plain("x")],
+            functions: vec![super::super::Name::plain("x")],
             ..Names::default()
         };
         for (source, wanted) in [

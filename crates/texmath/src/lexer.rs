@@ -902,7 +902,7 @@ mod tests {
     #[test]
     fn letters_are_told_by_how_they_print() {
         let shown = |tex: &str| {
-            letters(tex)
+            letters(tex, &Names::default())
                 .iter()
                 .map(|(_, printed)| printed.clone())
                 .collect::<Vec<_>>()

@@ -32,8 +32,8 @@ pub struct Names {
 pub struct Opaque {
     /// Letters that are factors before brackets.
     pub factors: BTreeSet<String>,
-    /// Functions whose arguments stand in them.
-    pub functions: Vec<Name>,
+    /// Functions whose arguments stand in them, as they print.
+    pub functions: BTreeSet<String>,
 }
 
 impl Names {

@@ -1,6 +1,6 @@
 //! A document as a sheet to edit.
 
-use super::super::entry::RawEntry;
+use super::super::entry::{RawEntry, Standing};
 use super::super::sheet::RawSheet;
 use super::super::symbols::{MapEntry, Pairs, RawSymbols};
 use super::super::verdict::Verdict;
@@ -47,6 +47,16 @@ fn of_entry(entry: &RawEntry) -> String {
     }
     if entry.expect != Verdict::default() {
         let _ = writeln!(text, "expect = \"{}\"", entry.expect);
+    }
+    let standing = match entry.standing {
+        Standing::Said => "",
+        Standing::Definition => "definition",
+        Standing::Law => "law",
+        Standing::Link => "link",
+        Standing::Open => "open",
+    };
+    if !standing.is_empty() {
+        let _ = writeln!(text, "standing = \"{standing}\"");
     }
     for (key, list) in [("guessed", &entry.guessed), ("doubts", &entry.doubts)] {
         if !list.is_empty() {
@@ -104,6 +114,11 @@ fn of_symbols(symbols: &RawSymbols) -> String {
     };
     for (key, names) in lists.into_iter().filter(|(_, names)| !names.is_empty()) {
         let _ = writeln!(text, "{key} = {}", list(names));
+    }
+    if let Some(opaque) = &symbols.opaque {
+        let [factors, functions] =
+            [&opaque.factors, &opaque.functions].map(|names| list(&names.iter().cloned().collect::<Vec<_>>()));
+        let _ = writeln!(text, "opaque = {{ factors = {factors}, functions = {functions} }}");
     }
     let pairs = [
         ("functions", &symbols.functions),

@@ -5,7 +5,7 @@ use super::super::entry::{Entry, RawEntry, Role};
 use super::super::fault::{Fault, Text};
 use super::super::implication;
 use super::super::sheet::{RawSheet, Sheet};
-use super::super::symbols::{Pairs, RawSymbols};
+use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::factors::Factors;
 use super::marks::{Marks, Stated};
 use super::members::Members;
@@ -28,6 +28,22 @@ pub(super) struct Guessed {
     pub may_be_law: bool,
 }
 
+/// A formula of which is asked what it is.
+pub(super) struct Asked<'a> {
+    /// Its number in the document.
+    pub at: usize,
+    pub label: &'a str,
+    pub tex: &'a str,
+    /// True for a link of a chain.
+    pub is_link: bool,
+    /// What its author says that it is.
+    pub role: Option<Role>,
+    /// True if he says what it follows from.
+    pub is_founded: bool,
+    /// True if another row of its display could be a condition on it.
+    pub is_doubtful: bool,
+}
+
 /// Guesses formula by formula, in the order of the document.
 pub(super) struct Guess {
     /// What each formula states, where it can be read.
@@ -40,6 +56,8 @@ pub(super) struct Guess {
     given: BTreeSet<Name>,
     /// Letters before a bracket that may be functions, and pairs of letters in a commutator.
     called: BTreeSet<String>,
+    /// A letter that a formula in one letter gives, before a bracket with that one: `A(r`.
+    applied: BTreeSet<String>,
     /// What each formula leaves open, by its label.
     open: HashMap<String, &'static str>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
@@ -51,7 +69,7 @@ pub(super) struct Guess {
     /// The functions that one formula gives, `f(x) = x^2`.
     given_functions: BTreeSet<Name>,
     /// What is read of terms that may be symbols; none where nothing is guessed.
-    opaque: Option<Opaque>,
+    opaque: Option<RawOpaque>,
     /// True if the document declares symbols.
     pub has_symbols: bool,
     /// True if it uses no others.
@@ -302,11 +320,13 @@ impl Guess {
         names.defined = once.map(|(name, _)| name).collect();
         names.defined.sort();
         let given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
-        let opaque = (!is_strict).then(|| Opaque {
+        let opaque = (!is_strict).then(|| RawOpaque {
             factors: symbols.parameters().map(|name| name.base.clone()).collect(),
-            functions: given_functions.iter().cloned().collect(),
+            functions: given_functions.iter().map(ToString::to_string).collect(),
         });
-        names.opaque.clone_from(&opaque);
+        names.opaque = opaque
+            .clone()
+            .map(|RawOpaque { factors, functions }| Opaque { factors, functions });
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
             let read = implication::formulas(tex)
@@ -317,7 +337,7 @@ impl Guess {
             displays.flat_map(|display| display.equations).collect()
         };
         let read: Vec<Vec<Equation>> = formulas.iter().map(stated).collect();
-        let (mut given, mut complex) = (BTreeSet::new(), BTreeSet::new());
+        let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         let mut constants = Constants::default();
         for equation in read.iter().flatten() {
             constants.read(equation);
@@ -329,6 +349,10 @@ impl Guess {
             names_in(&equation.left, &mut all);
             constants.i_is_index |= all.iter().any(numbered);
             if let Tree::Symbol(name, _) = &equation.left {
+                let mut letters = names.iter().filter(|name| !is_constant(name));
+                if let (Some(one), None) = (letters.next(), letters.next()) {
+                    applied.insert(plain(&format!("{name}({one}")));
+                }
                 given.extend(is_constant(name).then(|| name.clone()));
                 let is_unit = |name: &Name| is_constant(name) && name.base == "i";
                 complex.extend(names.iter().any(is_unit).then(|| name.clone()));
@@ -365,6 +389,7 @@ impl Guess {
         };
         Self {
             called: called.map(str::to_owned).collect(),
+            applied,
             open: HashMap::new(),
             marks,
             opaque,
@@ -391,18 +416,17 @@ impl Guess {
         }
     }
 
-    /// What formula number `at`, called `label`, is; `role` is what its author says, `is_founded` whether he says what it follows
-    /// from, `is_doubtful` whether another row of its display could be a condition on it.
-    pub fn of(
-        &mut self,
-        at: usize,
-        label: &str,
-        tex: &str,
-        is_link: bool,
-        role: Option<Role>,
-        is_founded: bool,
-        is_doubtful: bool,
-    ) -> Guessed {
+    /// What a formula is.
+    pub fn of(&mut self, asked: &Asked) -> Guessed {
+        let &Asked {
+            at,
+            label,
+            tex,
+            is_link,
+            role,
+            is_founded,
+            is_doubtful,
+        } = asked;
         self.numbers.insert(label.to_owned(), at);
         if let Some(open) = self.open(at, tex) {
             self.open.insert(label.to_owned(), open);
@@ -429,8 +453,12 @@ impl Guess {
         let may_be_law = is_guess && role == Role::Claim && !is_link && self.may_be_law(&equations, &names);
         if is_guess && role == Role::Claim {
             below.extend(self.premises.iter().cloned());
+            let is_plain = self.conflict(at).is_none()
+                && !self.open.contains_key(label)
+                && !names.iter().any(|name| self.marks.has(name));
             match may_be_law {
-                true => self.laws.push((label.to_owned(), names.clone())),
+                true if is_plain => self.laws.push((label.to_owned(), names.clone())),
+                true => {}
                 false => below.extend(self.laws_of(&names)),
             }
         }
@@ -503,6 +531,16 @@ impl Guess {
         near.map(|(label, _)| label.clone()).collect()
     }
 
+    /// Why formula number `at` is not read beside the others: a letter in it has two meanings.
+    pub fn conflict(&self, at: usize) -> Option<String> {
+        let is_pair = |node: &Tree| matches!(node, Tree::Symbol(name, _) if self.is_pair_of_functions(name));
+        let mut equations = self.read.get(at).into_iter().flatten();
+        let is_met = !self.has_symbols && equations.any(|equation| any_side(equation, &mut |node| is_pair(node)));
+        is_met.then(|| {
+            "a letter that is a function elsewhere and a pair of numbers here is not guessed: say the symbols by `% audit: symbols ...`".to_owned()
+        })
+    }
+
     /// What formula number `at` leaves open, so that nothing is decided of it.
     fn open(&self, at: usize, tex: &str) -> Option<&'static str> {
         let shown = plain(tex);
@@ -514,6 +552,9 @@ impl Guess {
         let has = |parts: &[&str]| parts.iter().any(|part| shown.contains(part));
         if self.called.iter().any(inverts) {
             return Some("an inverse function, or a power?");
+        }
+        if self.applied.iter().any(|call| shown.contains(call.as_str())) {
+            return Some("a formula before a bracket that may be its argument");
         }
         if has(&OF_COMPLEX) || shown.contains(r"\arg") {
             return Some("real symbols, or complex ones?");
@@ -530,9 +571,7 @@ impl Guess {
         self.read.get(at).into_iter().flatten().find_map(|equation| {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
             let binds = |node: &Tree| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some());
-            if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.is_pair_of_functions(name))) {
-                Some("a letter that is a function elsewhere and a pair of numbers here")
-            } else if has_dependence(equation)
+            if has_dependence(equation)
                 || is_some(&mut is_rate)
                 || (is_some(&mut is_opaque) && is_some(&mut |node| binds(node)))
             {
@@ -567,7 +606,9 @@ impl Guess {
                 .flatten()
         };
         let label = claim.label.get_ref();
-        let labels = labels_below(label, below);
+        // laws speak of no marked letters
+        let mut labels = labels_below(label, below);
+        labels.retain(|label| !self.laws.iter().any(|(law, _)| law == *label));
         let is_restricted = labels.iter().any(|label| self.premises.contains(label))
             || !claim.assume.is_empty()
             || !claim.with.is_empty()

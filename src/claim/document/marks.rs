@@ -202,6 +202,11 @@ impl Marks {
         marks
     }
 
+    /// Returns true if a letter is marked.
+    pub fn has(&self, name: &Name) -> bool {
+        self.operators.contains(name) || self.complex.contains(name)
+    }
+
     /// Notes what one node marks.
     fn read(&mut self, node: &Tree) {
         match node {

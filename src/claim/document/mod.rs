@@ -20,7 +20,7 @@ use super::symbols::RawSymbols;
 use super::verdict::Verdict;
 use crate::tex::{Symbols, nearest};
 use comment::{Key, completed, keys};
-use guess::Guess;
+use guess::{Asked, Guess};
 use members::Members;
 use scan::{Comment, Formula, Scan};
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -229,7 +229,12 @@ impl Document {
     /// # Errors
     /// As [`Sheet::read`].
     pub fn sheet(&self, pair: &Symbols) -> Result<Sheet, Fault> {
-        if !self.raw.equation.iter().any(|entry| entry.role == Role::Claim) {
+        if !self
+            .raw
+            .equation
+            .iter()
+            .any(|entry| entry.role == Role::Claim || entry.standing == Standing::Definition)
+        {
             return Err(Fault::new("nothing is to be decided here: no formula is a claim"));
         }
         Sheet::from_raw(&self.raw, &Text::of_files(&self.text, &self.files), pair)
@@ -494,16 +499,16 @@ fn entries(
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
-        let guessed = guess.of(
+        let guessed = guess.of(&Asked {
             at,
             label,
-            &tex,
-            formula.is_link,
+            tex: &tex,
+            is_link: formula.is_link,
             role,
-            own.follows_from.is_some(),
+            is_founded: own.follows_from.is_some(),
             is_doubtful,
-        );
-        let mut unread = formula.tex.clone().err().or(own.problem);
+        });
+        let mut unread = formula.tex.clone().err().or(own.problem).or_else(|| guess.conflict(at));
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
