@@ -6,7 +6,7 @@ use super::{Failure, note};
 use crate::claim::{self, Fault, Sheet, Standing, Verdict};
 use crate::evidence::witness_near;
 use crate::prove::{self, mention_refuted};
-use crate::repair::repairs;
+use crate::repair::{Repair, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
 use crate::tex::{Tree, names_in};
@@ -37,6 +37,7 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
         name: name.to_owned(),
         fault: Box::new(fault),
     })?;
+    clear_links_behind_suspects(sheet, &mut rows, options);
     mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
     let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
     let faults: Vec<&Fault> = unread.filter_map(|entry| entry.unread.as_ref()).collect();
@@ -51,6 +52,32 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
     Ok(rows)
 }
 
+/// Makes a suspect link of a chain undecided that holds once the suspect one before it is repaired.
+fn clear_links_behind_suspects(sheet: &Sheet, rows: &mut [Row], options: &prove::Options) {
+    for place in 1..rows.len() {
+        let (before, own) = rows.split_at_mut(place);
+        let (Some(before), Some(row)) = (before.last(), own.first_mut()) else {
+            continue;
+        };
+        let are_suspect = [before.decision.verdict, row.decision.verdict] == [Verdict::Suspect; 2];
+        let mended = before.repairs().first().map(|repair| repair.mended.as_slice());
+        let equations = sheet.entries.get(row.position).map(|entry| entry.equations.as_slice());
+        if are_suspect
+            && row.position == before.position + 1
+            && let (Some([(_, mended)]), Some([link])) = (mended, equations)
+            && let Some(again) = sheet.reprinted(row.position, &format!("{} = {}", mended.right, link.right), &[])
+            && prove::decide(&again, row.position, options).verdict == Verdict::Proved
+        {
+            row.decision.verdict = Verdict::Undecided;
+            row.decision.reason = format!(
+                "holds once ({}) is repaired; {}",
+                before.decision.label, row.decision.reason
+            );
+            row.repairs = None;
+        }
+    }
+}
+
 /// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.
 fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Fault> {
     let rows = sheet.rows();
@@ -61,6 +88,19 @@ fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<V
         row
     };
     rows.par_iter().map(decide).collect()
+}
+
+/// The largest edit that is a slip of the pen: one sign, name or digit.
+const SLIP: u32 = 11;
+
+/// Returns true if a repair is one slip of the pen. What puts in the difference of the sides mends every formula, and a number
+/// that becomes 0 takes a term away that a condition may have taken away.
+fn is_slip(repair: &Repair) -> bool {
+    let [edit] = repair.edits.as_slice() else {
+        return false;
+    };
+    let becomes_zero = matches!(&edit.tree, Tree::Number(number) if number.0.is_zero());
+    repair.size <= SLIP && !becomes_zero
 }
 
 /// Returns true if both sides of a formula have the same letters, as most links of chains have.
@@ -101,7 +141,11 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
         _ => None,
     };
     if is_link {
-        match repairs.as_ref().is_some_and(|repairs| !repairs.found.is_empty()) {
+        match repairs
+            .as_ref()
+            .and_then(|repairs| repairs.found.first())
+            .is_some_and(is_slip)
+        {
             true => decision.suspect(),
             false => repairs = None,
         }

@@ -2,7 +2,7 @@
 //! them; and the paper's own as one.
 
 use crate::common::paper;
-use crate::common::program::scratch;
+use crate::common::program::{Ran, program, scratch};
 
 use paper::vocabulary;
 use proptest::prelude::*;
@@ -1580,6 +1580,10 @@ fn what_a_letter_may_mean_before_a_bracket_is_one_symbol_in_a_document_without_c
             r"\[ \sum_{i=1}^{3} \mathbb{E}[X_i] = 3 \mathbb{E}[X_i] \]",
             Verdict::Undecided,
         ),
+        (
+            r"\[ \sum_{j=1}^{2} \max_i x_{ij} = 2 \max_i x_{ij} \]",
+            Verdict::Undecided,
+        ),
         (r"\[ v(w) - b (1 - a) v(w) = v(w) (1 - b + a b) \]", Verdict::Proved),
     ] {
         let found = decisions(&document(text, &[]));
@@ -1589,6 +1593,71 @@ fn what_a_letter_may_mean_before_a_bracket_is_one_symbol_in_a_document_without_c
             verdict == wanted || (is_open && wanted == Verdict::Undecided),
             "{text}: {verdict} {}",
             found[0].reason
+        );
+    }
+}
+
+#[test]
+fn what_rests_on_something_loose_is_not_proved_in_a_document_without_comments() {
+    for text in [
+        r"\begin{align*} x^2 &= \int 2 x \, dx \\ &= x^2 + 1 \end{align*}",
+        r"\[ F = \int 2 x \, dx \] \[ F = x^2 \]",
+        r"\[ \int 2 x \, dx - \int 2 x \, dx = 1 \]",
+        r"\[ f = g + O(h^2) \] \[ k = g + O(h^2) \] \[ f - k = 0 \]",
+        r"\[ O(h) - O(h) = 0 \]",
+        r"\[ a = 2 \] \[ a = 3 \] \[ b = 5 a \] \[ b = 10 \]",
+        r"\[ y = 0 \quad \text{(at equilibrium)} \] \[ y + 1 = 1 \]",
+        r"\[ (\hat a - \hat b)(\hat a + \hat b) = \hat a^2 - \hat b^2 \]",
+        r"\[ (\mathcal{L} - \mathcal{M})(\mathcal{L} + \mathcal{M}) = \mathcal{L}^2 - \mathcal{M}^2 \]",
+        r"\[ x = 1.5 \] \[ y = 10{,}000 x \] \[ y = 15 \]",
+    ] {
+        let found = decisions(&document(text, &[]));
+        let last = found.last().unwrap();
+        assert!(
+            last.verdict != Verdict::Proved,
+            "{text}: {} {}",
+            last.verdict,
+            last.reason
+        );
+    }
+}
+
+/// Runs `audit` on a document.
+fn audited(text: &str) -> Ran {
+    program(["audit", "-", "--format", "csv"]).input(text).run()
+}
+
+#[test]
+fn a_slip_in_a_chain_is_suspect_and_the_link_behind_it_is_not() {
+    let text =
+        r"\begin{align*} D &= m (v - u)^2 \\ &= m (v^2 - 2 u v - u^2) \\ &= m v^2 - 2 m u v + m u^2 \end{align*}";
+    let ran = audited(text);
+    let rows: Vec<&str> = ran.stdout.lines().skip(1).collect();
+    assert_eq!((ran.status, rows.len()), (Some(1), 3), "{}", ran.stdout);
+    let wanted = ["given,", "suspect,", "undecided,"];
+    assert!(
+        rows.iter().zip(wanted).all(|(row, verdict)| row.contains(verdict)),
+        "{}",
+        ran.stdout
+    );
+    assert!(rows[1].contains("wrong sign of the term"), "{}", rows[1]);
+    assert!(rows[2].contains("holds once"), "{}", rows[2]);
+}
+
+#[test]
+fn a_derivation_under_a_condition_that_stands_in_words_is_not_suspect() {
+    for chain in [
+        r"(1 - p)^2 &= 1 - 2 p + p^2 \\ &= 1 - 2 p + p \\ &= 1 - p",
+        r"(a + b)^2 &= a^2 + 2 a b + b^2 \\ &= a^2 + b^2",
+        r"(x + h)^2 - x^2 &= 2 x h + h^2 \\ &= 2 x h",
+        r"\phi^3 &= \phi \cdot \phi^2 \\ &= \phi (\phi + 1) \\ &= \phi^2 + \phi",
+    ] {
+        let ran = audited(&format!("\\begin{{align*}} {chain} \\end{{align*}}"));
+        assert_eq!(
+            (ran.status, ran.stdout.contains(",suspect,")),
+            (Some(0), false),
+            "{chain}: {}",
+            ran.stdout
         );
     }
 }

@@ -420,8 +420,12 @@ impl<'a> Writer<'a, '_> {
                 next
             }
             b'{' => match self.closing.get(at).copied().flatten().filter(|close| *close < end) {
-                // 0{,}5
-                Some(close) if self.slice(at, close + 1) == "{,}" && self.is_between_figures(at, close + 1, None) => {
+                // 0{,}5; but 1{,}000 may be a thousand
+                Some(close)
+                    if self.slice(at, close + 1) == "{,}"
+                        && self.is_between_figures(at, close + 1, None)
+                        && !self.is_between_figures(at, close + 1, Some(3)) =>
+                {
                     self.write(".", at);
                     close + 1
                 }
@@ -500,8 +504,11 @@ impl<'a> Writer<'a, '_> {
         let takes_term = match self.slice(at, next) {
             r"\max" | r"\min" | r"\sup" | r"\inf" | r"\argmax" | r"\argmin" => self.byte(script) == b'_',
             r"\sum" | r"\prod" if self.byte(script) == b'_' => {
-                let from = self.slice(script, self.script_end(script, end));
-                !from.contains('=') || from.contains(r"\in") || from.contains(r"\neq")
+                let below = self.script_end(script, end);
+                let (from, above) = (self.slice(script, below), self.after_blanks(below, end));
+                let is_endless =
+                    self.byte(above) == b'^' && self.slice(above, self.script_end(above, end)).contains(r"\infty");
+                is_endless || !from.contains('=') || from.contains(r"\in") || from.contains(r"\neq")
             }
             r"\oint" | r"\iint" | r"\iiint" => true,
             _ => false,
@@ -742,14 +749,19 @@ impl<'a> Writer<'a, '_> {
             }
             Relation => {
                 let relation = text(last.as_ref()).trim();
-                if !RELATIONS.contains(&relation) {
+                let above = text(found.first().and_then(Option::as_ref));
+                if !RELATIONS.contains(&relation) || !says_nothing(above) {
                     return None;
                 }
                 self.write(relation, at);
                 self.write(" ", at);
             }
             Number => {
-                let number = text(last.as_ref()).trim().to_ascii_lowercase().replace(',', ".");
+                let number = text(last.as_ref()).trim().to_ascii_lowercase();
+                // 1,000 may be a thousand
+                if number.contains(',') {
+                    return None;
+                }
                 let is_decimal = |text: &str| text.trim_start_matches(['-', '+']).parse::<f64>().is_ok();
                 let shown = match number.split_once('e') {
                     Some((figures, power)) if is_decimal(figures) && power.parse::<i32>().is_ok() => {
@@ -880,6 +892,17 @@ impl<'a> Writer<'a, '_> {
         }
         None
     }
+}
+
+/// Returns true if what stands above a relation refers to something, or says that it is asked for or a definition: a letter
+/// there, as in `\\stackrel{d}{=}`, makes another relation of it.
+fn says_nothing(above: &str) -> bool {
+    let words = above.trim().trim_start_matches(r"\text").trim_start_matches(r"\mathrm");
+    let words = words.trim_matches(['{', '}', ' ', '.']);
+    let is_number = !words.is_empty() && words.chars().all(|c| c.is_ascii_digit() || "()[].,!?*".contains(c));
+    is_number
+        || words == "def"
+        || (words.starts_with(r"\eqref{") || words.starts_with(r"\ref{") || words.starts_with(r"(\ref{"))
 }
 
 /// Letters that stand for functions more often than for factors.
@@ -1021,6 +1044,8 @@ mod tests {
             (r"a \stackrel{(3)}{=} b", "a = b"),
             (r"a \overset{!}{\le} b", r"a \le b"),
             (r"\overset{a}{b}", r"\overset{a}{b}"),
+            (r"X \stackrel{d}{=} Y", r"X \stackrel{d}{=} Y"),
+            (r"1{,}000 x", r"1{,}000 x"),
             (r"0{,}5 x + 1\,000 y \, z", r"0.5 x + 1000 y \, z"),
             (
                 r"x^{\prime 2} + y^{\prime\prime} + z^\prime",
@@ -1068,6 +1093,7 @@ mod tests {
             (r"\nabla^2 u + \nabla \cdot v", r"<\nabla^2u> + <\nabla\cdot v>"),
             (r"\langle a, b \rangle^2", r"<\langle a,b\rangle>^2"),
             (r"n \in \mathbb{Z}", r"n \in \mathbb{Z}"),
+            (r"\sum_{t=0}^\infty b^t c_t + 1", r"<\sum_{t=0}^\infty b^tc_t>+ 1"),
         ] {
             let text = Plain::of(source, &names)
                 .text

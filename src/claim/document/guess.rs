@@ -11,8 +11,8 @@ use super::marks::{Marks, Stated};
 use super::members::Members;
 use super::scan::Formula;
 use crate::tex::{
-    Display, Elementary, Equation, Name, Names, Opaque, Operation, ReadError, Relation, Symbols, Tree, any, any_side,
-    functions_given, is_constant, names_in, pair_of, read_display, read_name, with_commands,
+    Display, Doubt, DoubtKind, Elementary, Equation, Name, Names, Opaque, Operation, ReadError, Relation, Symbols,
+    Tree, any, any_side, functions_given, is_constant, names_in, pair_of, read_display, read_name, with_commands,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -84,6 +84,8 @@ pub(super) struct Guess {
     definitions: HashMap<Name, String>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
+    /// The formulas that give a defined name once more.
+    again: HashMap<Name, Vec<String>>,
     /// What may be a law, with its names.
     laws: Vec<(String, BTreeSet<Name>)>,
     /// All names that need a declaration.
@@ -267,9 +269,37 @@ const OF_COMPLEX: [&str; 6] = [
     r"\mathrm{Im}",
 ];
 
-/// Whether a node is a term that is not understood and was read as one symbol.
+/// What leaves open whatever rests on equations.
+fn loose_basis(equations: &[Equation]) -> Option<&'static str> {
+    let is_guess = |doubt: &Doubt| matches!(doubt.kind, DoubtKind::Guess(_));
+    if equations.iter().any(|equation| equation.doubts.0.iter().any(is_guess)) {
+        return Some("a remark that may be a condition");
+    }
+    let is_loose = |node: &Tree| is_antiderivative(node) || is_order(node);
+    let has_loose = |equation: &Equation| any_side(equation, &mut |node| is_loose(node));
+    equations
+        .iter()
+        .any(has_loose)
+        .then_some("what is given up to a constant or an order")
+}
+
+fn is_antiderivative(node: &Tree) -> bool {
+    matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Integral { limits: None, .. }))
+}
+
+fn is_order(node: &Tree) -> bool {
+    matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_)))
+}
+
+/// Whether a node is a term that is not understood and was read as one symbol; a letter in bold is understood.
 fn is_opaque(node: &Tree) -> bool {
-    matches!(node, Tree::Symbol(name, _) if name.base.contains(['(', '[', ' ']) || name.base.starts_with(r"\langle") || name.base.starts_with(r"\nabla"))
+    let is_bold = |base: &str| {
+        [r"\mathbf", r"\bm", r"\boldsymbol"]
+            .iter()
+            .any(|font| base.starts_with(font))
+    };
+    let is_term = |base: &str| base.contains(['(', '[', '{', '_', '^', '|', ' ']);
+    matches!(node, Tree::Symbol(name, _) if is_term(&name.base) && !is_bold(&name.base))
 }
 
 /// The running time of a document that does not say it.
@@ -407,6 +437,7 @@ impl Guess {
             met: HashSet::new(),
             definitions: HashMap::new(),
             premises: Vec::new(),
+            again: HashMap::new(),
             laws: Vec::new(),
             names: BTreeSet::new(),
             guessed: HashMap::new(),
@@ -428,7 +459,7 @@ impl Guess {
             is_doubtful,
         } = asked;
         self.numbers.insert(label.to_owned(), at);
-        if let Some(open) = self.open(at, tex) {
+        if let Some(open) = self.open(at, tex).or_else(|| self.has_loose_end(at, is_link)) {
             self.open.insert(label.to_owned(), open);
         }
         let equations = self.read.get(at).cloned().unwrap_or_default();
@@ -451,10 +482,28 @@ impl Guess {
         }
         let mut below = self.definitions_of(&names);
         let may_be_law = is_guess && role == Role::Claim && !is_link && self.may_be_law(&equations, &names);
+        let loose = loose_basis(&equations);
+        // a letter that is given a second value has either
+        if let [
+            Equation {
+                left: Tree::Symbol(name, _),
+                relation: Relation::Equal,
+                ..
+            },
+        ] = equations.as_slice()
+            && is_guess
+            && self.definitions.contains_key(name)
+            && !is_link
+        {
+            self.again.entry(name.clone()).or_default().push(label.to_owned());
+        }
         if is_guess && role == Role::Claim {
+            let again = names.iter().filter_map(|name| self.again.get(name)).flatten();
+            below.extend(again.filter(|own| *own != label).cloned());
             below.extend(self.premises.iter().cloned());
             let is_plain = self.conflict(at).is_none()
                 && !self.open.contains_key(label)
+                && loose.is_none()
                 && !names.iter().any(|name| self.marks.has(name));
             match may_be_law {
                 true if is_plain => self.laws.push((label.to_owned(), names.clone())),
@@ -497,6 +546,9 @@ impl Guess {
             guessed
                 .extend((role == Role::Claim).then(|| "no other row of its display is a condition on it".to_owned()));
         }
+        if let Some(loose) = loose.filter(|_| is_guess && role == Role::Definition) {
+            self.open.insert(label.to_owned(), loose);
+        }
         self.met.extend(names.iter().cloned());
         names.retain(|name| role != Role::Definition || Some(name) != new.as_ref());
         self.names.extend(names);
@@ -519,8 +571,11 @@ impl Guess {
             own.retain(|name| !is_constant(name));
             own
         });
-        let is_new = |name: &Name| !is_constant(name) && !self.met.contains(name) && !self.symbols.knows(name);
-        left != right && names.iter().any(is_new)
+        let is_new = |name: &Name| is_constant(name) || (!self.met.contains(name) && !self.symbols.knows(name));
+        let mut letters = names.iter().filter(|name| !is_constant(name));
+        // P^2 = P, of which nothing before speaks
+        let is_first = names.iter().all(is_new) && letters.next().is_some();
+        is_first || (left != right && names.iter().any(|name| !is_constant(name) && is_new(name)))
     }
 
     /// The last laws so far that share a letter with a formula.
@@ -539,6 +594,25 @@ impl Guess {
         is_met.then(|| {
             "a letter that is a function elsewhere and a pair of numbers here is not guessed: say the symbols by `% audit: symbols ...`".to_owned()
         })
+    }
+
+    /// What formula number `at` leaves open beside others: antiderivatives that differ by constants, and orders, which are not
+    /// equal where they are printed alike.
+    fn has_loose_end(&self, at: usize, is_link: bool) -> Option<&'static str> {
+        let equations = self.read.get(at).into_iter().flatten();
+        let (mut antiderivatives, mut orders, mut is_alone) = (0, 0, false);
+        for equation in equations {
+            is_alone |= [&equation.left, &equation.right].into_iter().any(is_antiderivative);
+            any_side(equation, &mut |node| {
+                antiderivatives += usize::from(is_antiderivative(node));
+                orders += usize::from(is_order(node));
+                false
+            });
+        }
+        if antiderivatives > 0 && (is_link || !is_alone || antiderivatives > 1) {
+            return Some("antiderivatives up to which constants?");
+        }
+        (orders > 0 && (is_link || orders > 1)).then_some("orders that need not be equal")
     }
 
     /// What formula number `at` leaves open, so that nothing is decided of it.
@@ -710,7 +784,11 @@ impl Guess {
     pub fn beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
         let mut guessed: Vec<(&String, String)> = Vec::new();
         for next in labels_below(label, below) {
-            let role = self.guessed.get(next).map(|role| format!("({next}) is a {role}"));
+            let is_law = self.laws.iter().any(|(law, _)| law == next);
+            let role = self.guessed.get(next).map(|role| match is_law {
+                true => format!("({next}) is a law"),
+                false => format!("({next}) is a {role}"),
+            });
             let doubt = format!("no other row of its display is a condition on ({next})");
             let told = role.into_iter().chain(self.doubtful.contains(next).then_some(doubt));
             guessed.extend(told.map(|told| (next, told)));

@@ -195,8 +195,14 @@ impl Marks {
             marked.extend(siblings);
         }
         let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
-        let is_hatted = |name: &Name| is_capital(name) && has_accent(name, &[r"\hat", r"\widehat"]);
-        marks.operators.extend(names.into_iter().filter(is_hatted));
+        // one letter with a hat may be an estimate, several are operators as well
+        for accents in [[r"\hat", r"\widehat"], [r"\mathcal", r"\mathscr"]] {
+            let own: BTreeSet<&Name> = names.iter().filter(|name| has_accent(name, &accents)).collect();
+            let are_several = own.len() > 1;
+            marks
+                .operators
+                .extend(own.into_iter().filter(|name| are_several || is_capital(name)).cloned());
+        }
         marks.operators.retain(|name| !is_constant(name));
         marks.complex.retain(|name| !is_constant(name));
         marks
