@@ -1519,8 +1519,8 @@ Two non-commuting variables $u$ and $v$:
     assert_eq!(
         found,
         [
-            "line 3 undecided",
-            "line 7 undecided",
+            "line 3 given",
+            "line 7 given",
             "line 8 given",
             "line 9 undecided",
             "line 10 proved"
@@ -1605,6 +1605,7 @@ fn what_rests_on_something_loose_is_not_proved_in_a_document_without_comments() 
         r"\[ \int 2 x \, dx - \int 2 x \, dx = 1 \]",
         r"\[ f = g + O(h^2) \] \[ k = g + O(h^2) \] \[ f - k = 0 \]",
         r"\[ O(h) - O(h) = 0 \]",
+        r"\[ \mathcal{O}(h) - \mathcal{O}(h) = 0 \]",
         r"\[ a = 2 \] \[ a = 3 \] \[ b = 5 a \] \[ b = 10 \]",
         r"\[ y = 0 \quad \text{(at equilibrium)} \] \[ y + 1 = 1 \]",
         r"\[ (\hat a - \hat b)(\hat a + \hat b) = \hat a^2 - \hat b^2 \]",

@@ -624,7 +624,7 @@ impl<'a> Writer<'a, '_> {
         }
         if declared
             || opaque.is_some_and(|opaque| opaque.factors.contains(letter))
-            || ["e", "i", "d", r"\pi"].contains(&letter)
+            || ["e", "i", "d", "O", "o", r"\pi"].contains(&letter)
         {
             return false;
         }
@@ -1091,6 +1091,7 @@ mod tests {
             (r"p(x | y) p(y) = p(x, y)", "<p(x|y)> <p(y)> = <p(x,y)>"),
             (r"m(a + b) + f(a + b) + \sin(a)", r"m(a + b) + <f(a+b)> + \sin(a)"),
             (r"\nabla^2 u + \nabla \cdot v", r"<\nabla^2u> + <\nabla\cdot v>"),
+            (r"O(h^2) + \mathcal{O}(h)", r"O(h^2) + \mathcal{O}(h)"),
             (r"\langle a, b \rangle^2", r"<\langle a,b\rangle>^2"),
             (r"n \in \mathbb{Z}", r"n \in \mathbb{Z}"),
             (r"\sum_{t=0}^\infty b^t c_t + 1", r"<\sum_{t=0}^\infty b^tc_t>+ 1"),

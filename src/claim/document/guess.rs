@@ -498,7 +498,8 @@ impl Guess {
             self.again.entry(name.clone()).or_default().push(label.to_owned());
         }
         if is_guess && role == Role::Claim {
-            let again = names.iter().filter_map(|name| self.again.get(name)).flatten();
+            let reached = self.reached(&names);
+            let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
             below.extend(again.filter(|own| *own != label).cloned());
             below.extend(self.premises.iter().cloned());
             let is_plain = self.conflict(at).is_none()
@@ -576,6 +577,21 @@ impl Guess {
         // P^2 = P, of which nothing before speaks
         let is_first = names.iter().all(is_new) && letters.next().is_some();
         is_first || (left != right && names.iter().any(|name| !is_constant(name) && is_new(name)))
+    }
+
+    /// These names, and those by which definitions give them.
+    fn reached(&self, names: &BTreeSet<Name>) -> BTreeSet<Name> {
+        let mut reached = names.clone();
+        let mut open: Vec<Name> = names.iter().cloned().collect();
+        while let Some(name) = open.pop() {
+            let number = self.definitions.get(&name).and_then(|label| self.numbers.get(label));
+            let mut own = BTreeSet::new();
+            for equation in number.and_then(|&at| self.read.get(at)).into_iter().flatten() {
+                names_in(&equation.right, &mut own);
+            }
+            open.extend(own.into_iter().filter(|name| reached.insert(name.clone())));
+        }
+        reached
     }
 
     /// The last laws so far that share a letter with a formula.
