@@ -66,7 +66,7 @@ pub struct Entry {
     pub names: Vec<String>,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
-    /// How it stands in a document without comments.
+    /// Its standing in a document without comments.
     pub standing: Standing,
     /// Whether it is a claim `A \Rightarrow B`.
     pub is_implication: bool,
@@ -94,7 +94,7 @@ pub struct Entry {
     pub(super) borrowed: Vec<(Name, usize)>,
 }
 
-/// How a formula stands in a document, where nobody says what it is.
+/// The standing of a formula in a document, where nobody says what it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Standing {

@@ -126,7 +126,7 @@ impl Sheet {
         Ok(sheet)
     }
 
-    /// What is taken for a law, and cannot be read, is none.
+    /// Lets nothing rest on a formula that is taken for a law and cannot be read.
     fn leave_out_laws_that_are_unread(&mut self) {
         let is_unread_law = |entry: &Entry| entry.standing == Standing::Law && entry.unread.is_some();
         let laws: HashSet<usize> = (0..self.entries.len())

@@ -32,7 +32,7 @@ pub struct RawSymbols {
     /// True if a document uses no others; else what it does not declare is guessed.
     #[serde(skip)]
     pub only: bool,
-    /// Where this is given, a term that is not understood is a symbol.
+    /// The exceptions where a term that is not understood is a symbol; none where it is an error.
     pub opaque: Option<RawOpaque>,
 }
 
@@ -384,7 +384,7 @@ fn equations(tex: &str, symbols: &Symbols) -> Result<Vec<Equation>, Fault> {
     }
 }
 
-/// What is read where a term that is not understood is a symbol, [`Opaque`].
+/// The keys of [`Opaque`] in a sheet.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RawOpaque {

@@ -15,7 +15,7 @@ pub struct Decision {
     pub label: String,
     pub verdict: Verdict,
     pub expected: Verdict,
-    /// How the formula stands in a document without comments.
+    /// The standing of the formula in a document without comments.
     pub standing: Standing,
     pub counterexample: Option<Counterexample>,
     pub reason: String,
@@ -31,7 +31,7 @@ pub struct Decision {
     pub point: Vec<(String, String)>,
     /// Whether nothing is left to decide: what is given contradicts itself, or the claim is nowhere defined.
     pub is_vacuous: bool,
-    /// Whether it would be refuted if what was guessed is right.
+    /// True if it would be refuted should the guess be right.
     pub fails: bool,
     /// The other meanings that its premises may have, where they bear on the verdict.
     pub(super) doubts: Vec<DoubtKind>,
@@ -84,7 +84,7 @@ impl Decision {
         rules.collect::<Vec<_>>().join("; ")
     }
 
-    /// Whether the verdict is the one that the sheet expects; of a document without comments nothing is expected, and nothing
+    /// Returns true if the verdict is the one that the sheet expects; of a document without comments nothing is expected, and nothing
     /// may be suspect.
     pub fn is_expected(&self) -> bool {
         match self.standing {

@@ -14,7 +14,7 @@ pub struct Attack {
 }
 
 impl Attack {
-    /// How messages name it: `domains/below-a-root`.
+    /// Returns its name in messages: `domains/below-a-root`.
     pub fn path(&self) -> String {
         format!("{}/{}", self.class, self.name)
     }

@@ -7,7 +7,7 @@ use std::panic::Location;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-/// Where the program is.
+/// The path of the program.
 pub const PATH: &str = env!("CARGO_BIN_EXE_vibro-audit");
 
 /// A run to come: with nothing on standard input, in the root of the repository, unless said otherwise.
@@ -26,7 +26,7 @@ pub fn program<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Progr
     Program { command, input: None }
 }
 
-/// What the program says to these arguments.
+/// Runs the program with these arguments.
 pub fn run(arguments: &[&str]) -> Ran {
     program(arguments).run()
 }
@@ -81,13 +81,13 @@ impl Program {
         self.command.spawn().expect("the program")
     }
 
-    /// As a command, for tests that connect its input and output by themselves.
+    /// Returns the command, for tests that connect its input and output by themselves.
     pub fn command(self) -> Command {
         self.command
     }
 }
 
-/// What a run came to.
+/// The result of a run.
 #[derive(Debug)]
 pub struct Ran {
     /// The exit status; `None` where a signal ended the run.
@@ -98,7 +98,7 @@ pub struct Ran {
 }
 
 impl Ran {
-    /// What it printed; the status must be 0.
+    /// Returns what it printed; the status must be 0.
     #[track_caller]
     pub fn succeeded(self) -> String {
         let (command, message) = (self.command, self.stderr);
@@ -166,7 +166,7 @@ impl Scratch {
         names
     }
 
-    /// What the program says to these arguments when it is run here.
+    /// Runs the program here with these arguments.
     pub fn run(&self, arguments: &[&str]) -> Ran {
         program(arguments).within(&self.0).run()
     }

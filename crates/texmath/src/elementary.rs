@@ -4,14 +4,14 @@ use super::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
 use num_complex::Complex64;
 use std::sync::OnceLock;
 
-/// Whether f(-x) is f(x) or -f(x).
+/// The sign of a function at -x: f(-x) is f(x) or -f(x).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parity {
     Even,
     Odd,
 }
 
-/// What a function of the table is to the reader.
+/// The way in which the reader takes a function of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// A function of the tree, known too where it is written in letters: `sin(x)`.
@@ -30,21 +30,21 @@ pub struct Elementary {
     /// Other words for it, without backslash.
     words: &'static [&'static str],
     kind: Kind,
-    /// Whether LaTeX has no such command, so that it is printed by `\operatorname`.
+    /// True if LaTeX has no such command, so that it is printed by `\operatorname`.
     is_operator: bool,
-    /// Whether a letter before the argument is a power, as in `\sin^n x`.
+    /// True if a letter before the argument is a power, as in `\sin^n x`.
     pub has_powers: bool,
-    /// What it is in terms of simpler functions, where it has a value.
+    /// The formula in simpler functions that it is equal to, where it has a value.
     definition: Option<&'static str>,
     derivative: Option<&'static str>,
-    /// Where it has a value; nothing where that is everywhere.
+    /// The condition under which it has a value; empty where it always has one.
     domain: &'static str,
-    /// What holds of its values.
+    /// The bounds of its values.
     range: &'static str,
     pub parity: Option<Parity>,
     /// The function whose inverse it is, on the range of this one.
     pub inverse_of: Option<&'static str>,
-    /// Whether it is the sum of its Taylor series about each point of its domain, over the complex numbers too.
+    /// True if it is the sum of its Taylor series about each point of its domain, over the complex numbers too.
     pub is_analytic: bool,
     /// Its value as a function of real numbers, NaN outside the domain, and its principal value over the complex numbers.
     pub real: fn(f64) -> f64,
@@ -359,7 +359,7 @@ static TABLE: [Elementary; 28] = [
     reads(r"\arsech", &["arcsech"], r"\arcosh(\frac{1}{x})"),
 ];
 
-/// What the formulas of a row say, read.
+/// The formulas of a row, read.
 #[derive(Debug, Default)]
 struct Formulas {
     reads: Option<Tree>,
@@ -446,7 +446,7 @@ impl Elementary {
         self.command.strip_prefix('\\').filter(|_| self.is_operator)
     }
 
-    /// Whether it is a real or an imaginary part, or an argument of a complex number.
+    /// Returns true for a real or an imaginary part and for the argument of a complex number.
     pub fn is_part(&self) -> bool {
         self.kind == Kind::Command
     }
@@ -464,7 +464,7 @@ impl Elementary {
         })
     }
 
-    /// What it is at an argument in terms of simpler functions. `None` for those that are not made of others.
+    /// Returns its value at an argument in simpler functions; `None` for those that are not made of others.
     pub fn definition(&self, at: &Tree) -> Option<Tree> {
         self.at(self.formulas().definition.as_ref(), at)
     }
@@ -493,29 +493,29 @@ impl Elementary {
         Some(with(formula?, "x", at, At::default()))
     }
 
-    /// What must hold of an argument for it to have a value, among real numbers.
+    /// Returns the conditions on an argument under which it has a value, among real numbers.
     pub fn domain(&self, at: &Tree) -> Vec<Equation> {
         relations(&self.formulas().domain, "x", at)
     }
 
-    /// What holds of each of its values, among real numbers.
+    /// Returns the bounds of its values, among real numbers.
     pub fn range(&self, value: &Tree) -> Vec<Equation> {
         relations(&self.formulas().range, "y", value)
     }
 
-    /// Whether it has a value at each real number.
+    /// Returns true if it has a value at each real number.
     pub fn is_total(&self) -> bool {
         self.domain.is_empty()
     }
 
-    /// Whether its values have an upper and a lower bound.
+    /// Returns true if its values have an upper and a lower bound.
     pub fn is_bounded(&self) -> bool {
         let has = |is_one: fn(Relation) -> bool| self.formulas().range.iter().any(|bound| is_one(bound.relation));
         has(|relation| matches!(relation, Relation::Less | Relation::LessOrEqual))
             && has(|relation| matches!(relation, Relation::Greater | Relation::GreaterOrEqual))
     }
 
-    /// Whether none of its values is negative.
+    /// Returns true if none of its values is negative.
     pub fn is_never_negative(&self) -> bool {
         self.formulas().range.iter().any(|bound| {
             matches!(bound.relation, Relation::Greater | Relation::GreaterOrEqual)

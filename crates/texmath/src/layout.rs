@@ -4,9 +4,9 @@
 //! They are those of the packages physics, mathtools, nicefrac, cancel, xcolor, siunitx and IEEEtrantools, and some of plain TeX.
 //! Each place of what is written knows where in the source it comes from.
 
-use super::Names;
 use super::command::{invariant, is_letter as is_letter_command};
 use super::elementary::Elementary;
+use super::{Name, Names};
 use std::borrow::Cow;
 use std::cell::Cell;
 
@@ -16,7 +16,7 @@ pub const LONGEST: usize = 100_000;
 /// Groups within groups beyond which nothing is rewritten; the reader refuses what is deeper.
 const DEEPEST: usize = 100;
 
-/// How often each byte may be looked at, on average, for brackets that close.
+/// Looks at each byte, on average, for brackets that close.
 const LOOKED_AT: usize = 20;
 
 /// An argument of a command, as the package xparse names them.
@@ -36,7 +36,7 @@ enum Argument {
 
 use Argument::{Bracketed, Group, Needed, Optional, Star};
 
-/// What a command is written as.
+/// The text that takes the place of a command.
 #[derive(Clone, Copy)]
 enum Written {
     /// The last of these forms all of whose arguments are there; `#1` is the first argument.
@@ -119,11 +119,7 @@ static TABLE: &[Row] = &[
     ("smashoperator", &[Optional, Needed], As(&["#2"])),
     ("mathclap", &[Needed], As(&["{#1}"])),
     ("substack", &[Needed], As(&["#1"])),
-    ("phantom", &[Needed], As(&["{}"])),
-    ("hphantom", &[Needed], As(&["{}"])),
-    ("vphantom", &[Needed], As(&["{}"])),
     // what is set beside a formula
-    ("tag", &[Star, Needed], As(&[""])),
     ("qed", &[], As(&[""])),
     ("qedhere", &[], As(&[""])),
     ("IEEEyesnumber", &[Star], As(&[""])),
@@ -162,7 +158,7 @@ const RELATIONS: [&str; 16] = [
 /// A formula as it is read.
 pub(super) struct Plain<'a> {
     pub text: Cow<'a, str>,
-    /// Where parts of the text start, where each comes from in the source, and whether it was copied from there.
+    /// The parts of the text: the start of each, its place in the source, and true if it was copied from there.
     parts: Vec<(usize, usize, bool)>,
 }
 
@@ -184,7 +180,6 @@ impl<'a> Plain<'a> {
             is_changed: false,
             left: Cell::new(LOOKED_AT * (source.len() + 1)),
             names,
-            has_opaque: names.opaque.is_some(),
         };
         writer.group(0, source.len(), 0);
         match writer.is_changed {
@@ -218,7 +213,7 @@ impl<'a> Plain<'a> {
         }
     }
 
-    /// Where in the source a byte of the text comes from.
+    /// Returns the place in the source of a byte of the text.
     pub(super) fn source(&self, at: usize) -> usize {
         let after = self.parts.partition_point(|(start, ..)| *start <= at);
         match after.checked_sub(1).and_then(|last| self.parts.get(last)) {
@@ -229,7 +224,7 @@ impl<'a> Plain<'a> {
     }
 }
 
-/// For each brace that opens, where its partner stands.
+/// Finds the partner of each brace that opens.
 fn closing(source: &str) -> Vec<Option<usize>> {
     let mut found = vec![None; source.len()];
     let (mut open, mut is_escaped) = (Vec::new(), false);
@@ -256,9 +251,8 @@ struct Writer<'a, 'n> {
     is_changed: bool,
     /// Bytes that may still be looked at for brackets that close: each bracket of a hostile formula looks to its end.
     left: Cell<usize>,
+    /// With these, terms that are not understood may become symbols.
     names: &'n Names,
-    /// Whether terms that are not understood become symbols.
-    has_opaque: bool,
 }
 
 /// An argument that was found: what stands in it, and its opening bracket.
@@ -335,7 +329,7 @@ impl<'a> Writer<'a, '_> {
         }
     }
 
-    /// Where a term ends: before the next sign of a sum, relation or row.
+    /// Returns the end of a term: the next sign of a sum, relation or row.
     fn term_end(&self, mut at: usize, end: usize) -> Option<usize> {
         while at < end {
             let next = self.token_end(at).min(end);
@@ -369,7 +363,7 @@ impl<'a> Writer<'a, '_> {
         self.run(start, end, depth);
     }
 
-    /// `a \over b` in a group: where the sign starts and ends, and the command for it.
+    /// Finds `\over` or `\choose` in a group: the start and the end of the sign, and the command for it.
     fn infix(&self, start: usize, end: usize) -> Option<(usize, usize, &'static str)> {
         let mut at = start;
         while at < end {
@@ -400,7 +394,7 @@ impl<'a> Writer<'a, '_> {
     /// Writes what stands at a byte, and returns where it ends.
     fn step(&mut self, at: usize, end: usize, depth: usize) -> usize {
         let next = self.token_end(at).min(end);
-        if self.has_opaque
+        if self.names.opaque.is_some()
             && let Some(close) = self.opaque(at, end)
         {
             self.write(&opened(self.slice(at, close)), at);
@@ -486,8 +480,8 @@ impl<'a> Writer<'a, '_> {
         Some(close + 1)
     }
 
-    /// Where a term ends that starts at a byte and is not understood: an operator with its operand, brackets of a product, a
-    /// letter before brackets that may hold its arguments.
+    /// Returns the end of a term that starts at a byte and is not understood: an operator with its operand, brackets of a
+    /// product, a letter before brackets that may hold its arguments.
     fn opaque(&self, at: usize, end: usize) -> Option<usize> {
         let is_start = matches!(self.byte(at), b'\\') || self.byte(at).is_ascii_alphabetic();
         if !is_start {
@@ -527,21 +521,17 @@ impl<'a> Writer<'a, '_> {
         }
         let name_end = self.name_end(at, end)?;
         let name = self.slice(at, name_end);
-        let is_operator = [r"\mathbb", r"\Pr", r"\nabla"]
-            .iter()
-            .any(|command| name.starts_with(command));
-        if [
+        let starts_with = |commands: &[&str]| commands.iter().any(|command| name.starts_with(command));
+        if starts_with(&[
             r"\mathbb{Z}",
             r"\mathbb{N}",
             r"\mathbb{Q}",
             r"\mathbb{R}",
             r"\mathbb{C}",
-        ]
-        .iter()
-        .any(|set| name.starts_with(set))
-        {
+        ]) {
             return None;
         }
+        let is_operator = starts_with(&[r"\mathbb", r"\Pr", r"\nabla"]);
         let behind = self.scripts_end(name_end, end, is_operator);
         let mut open = self.after_spaces(behind, end);
         if is_operator && [r"\cdot", r"\times"].contains(&self.slice(open, self.token_end(open))) {
@@ -570,10 +560,7 @@ impl<'a> Writer<'a, '_> {
             return ((is_operator || is_called) && !is_relation && !inside.trim().is_empty()).then_some(close + 1);
         }
         // a letter in bold is another than the plain one
-        if [r"\mathbf", r"\bm", r"\boldsymbol"]
-            .iter()
-            .any(|command| name.starts_with(command))
-        {
+        if is_bold(name) {
             let of = name
                 .split_once('{')
                 .map_or("", |(_, of)| of.trim_end_matches('}').trim());
@@ -601,8 +588,8 @@ impl<'a> Writer<'a, '_> {
         }
     }
 
-    /// Whether a letter before this may be a function of it: one that mostly is, or before a single term, which a factor would
-    /// need no bracket for.
+    /// Returns true if a letter before a bracket may be a function: one that mostly is, or before a single term, which a factor
+    /// would need no bracket for.
     fn may_be_function(&self, at: usize, name_end: usize, inside: &str) -> bool {
         let name = self.slice(at, name_end);
         let letter = name
@@ -630,10 +617,10 @@ impl<'a> Writer<'a, '_> {
         }
         let single = inside.trim().trim_start_matches('-');
         let is_single = !has_at_top(single, &["+", "-", r"\pm", r"\mp"]);
-        is_single || FUNCTIONS.contains(&letter) || name.starts_with(r"\mathcal")
+        is_single || FUNCTION_LETTERS.contains(&letter) || name.starts_with(r"\mathcal")
     }
 
-    /// Where a name ends that starts at a byte: a letter, or a command for one with what it stands over.
+    /// Returns the end of a name that starts at a byte: a letter, or a command for one with what it stands over.
     fn name_end(&self, at: usize, end: usize) -> Option<usize> {
         let next = self.token_end(at);
         if at >= end || next > end {
@@ -691,7 +678,7 @@ impl<'a> Writer<'a, '_> {
         is_letter.then_some(next)
     }
 
-    /// Where the subscripts and primes behind a name end, and its powers where they are asked for.
+    /// Returns the end of the subscripts and primes behind a name, and of its powers where they are asked for.
     fn scripts_end(&self, name_end: usize, end: usize, has_powers: bool) -> usize {
         let mut at = name_end;
         loop {
@@ -867,7 +854,7 @@ impl<'a> Writer<'a, '_> {
         Some((found, at))
     }
 
-    /// Where the bracket closes that opens at a byte.
+    /// Returns the place at which a bracket closes that opens at a byte.
     fn partner(&self, open: usize, end: usize) -> Option<usize> {
         let first = self.byte(open);
         let [_, close] = brackets(first).map(|text| text.bytes().next_back().unwrap_or_default());
@@ -895,18 +882,19 @@ impl<'a> Writer<'a, '_> {
 }
 
 /// Returns true if what stands above a relation refers to something, or says that it is asked for or a definition: a letter
-/// there, as in `\\stackrel{d}{=}`, makes another relation of it.
+/// there, as in `\stackrel{d}{=}`, makes another relation of it.
 fn says_nothing(above: &str) -> bool {
     let words = above.trim().trim_start_matches(r"\text").trim_start_matches(r"\mathrm");
     let words = words.trim_matches(['{', '}', ' ', '.']);
     let is_number = !words.is_empty() && words.chars().all(|c| c.is_ascii_digit() || "()[].,!?*".contains(c));
-    is_number
-        || words == "def"
-        || (words.starts_with(r"\eqref{") || words.starts_with(r"\ref{") || words.starts_with(r"(\ref{"))
+    let is_reference = [r"\eqref{", r"\ref{", r"(\ref{"]
+        .iter()
+        .any(|start| words.starts_with(start));
+    is_number || words == "def" || is_reference
 }
 
 /// Letters that stand for functions more often than for factors.
-const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
+pub const FUNCTION_LETTERS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
 
 /// Commands that end a term.
 const ENDS: [&str; 22] = [
@@ -934,7 +922,19 @@ const ENDS: [&str; 22] = [
     r"\coloneqq",
 ];
 
-/// What opens and closes a symbol that is a whole term.
+/// Commands of letters in bold.
+pub const BOLD: [&str; 3] = [r"\mathbf", r"\bm", r"\boldsymbol"];
+
+fn is_bold(base: &str) -> bool {
+    BOLD.iter().any(|command| base.starts_with(command))
+}
+
+/// Returns true for the symbol that a term which is not understood was read as; a letter in bold is understood.
+pub fn is_opaque(name: &Name) -> bool {
+    name.base.contains(['(', '[', '{', '_', '^', '|', ' ']) && !is_bold(&name.base)
+}
+
+/// The characters around a symbol that is a whole term.
 pub(super) const OPAQUE: [char; 2] = ['\u{e000}', '\u{e001}'];
 
 /// A term as one symbol, however its brackets and blanks are printed.
@@ -1053,7 +1053,7 @@ mod tests {
             ),
             (r"\mqty[a & b \\ c & d]", r"\begin{bmatrix}a & b \\ c & d\end{bmatrix}"),
             (r"\num{1.5e-3} m", r"1.5 \cdot 10^{-3} m"),
-            (r"a = b \tag{3} \qed", "a = b"),
+            (r"a = b \qed", "a = b"),
             (r"\underbrace{a + b}_{c} - b", "a + b - b"),
             (r"\underbrace{a + b}_{c} - c", r"\underbrace{a + b}_{c} - c"),
             (r"\underbrace{a + b}_{= 0} - c", r"\underbrace{a + b}_{= 0} - c"),
@@ -1079,7 +1079,7 @@ mod tests {
     fn a_term_that_is_not_understood_is_one_symbol_where_that_is_asked_for() {
         let names = Names {
             opaque: Some(Opaque::default()),
-            functions: vec![super::super::Name::plain("x")],
+            functions: vec![Name::plain("x")],
             ..Names::default()
         };
         for (source, wanted) in [

@@ -85,7 +85,7 @@ const COMMON: [&str; 72] = [
     r"\leq",
 ];
 
-/// What opens and closes a symbol that is a whole term.
+/// The characters around a symbol that is a whole term.
 const OPENED: char = OPAQUE[0];
 const CLOSED: char = OPAQUE[1];
 

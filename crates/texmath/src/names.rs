@@ -22,11 +22,11 @@ pub struct Names {
     pub complex: Vec<Name>,
     /// The symbol that functions without an argument are taken at.
     pub running: Option<Name>,
-    /// Where this is given, a term that is not understood is a symbol.
+    /// The exceptions where a term that is not understood is a symbol; none where it is an error.
     pub opaque: Option<Opaque>,
 }
 
-/// What is read where a term that is not understood is a symbol: `\\mathbb{E}[x]`, `p(x | y)`, and a letter before brackets that
+/// The letters before brackets that are read where a term that is not understood is a symbol: `\mathbb{E}[x]`, `p(x | y)`, and a letter before brackets that
 /// may hold its argument.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Opaque {

@@ -52,7 +52,7 @@ pub enum Meaning {
 /// The table of what each name stands for that needs no premise.
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
-    /// What is declared, in order.
+    /// The declarations, in order.
     declared: Vec<(Name, Meaning)>,
     /// The places of each name in `declared`, and of each kind of meaning.
     of_name: HashMap<Name, Vec<usize>>,
@@ -63,7 +63,7 @@ pub struct Symbols {
     pub relations: Vec<Equation>,
     /// Squares of what runs over times or indices, which hold throughout: a premise of every claim.
     pub laws: Vec<Equation>,
-    /// What the reader of formulas needs to know of all this.
+    /// The names as the reader of formulas needs them.
     pub names: Names,
 }
 

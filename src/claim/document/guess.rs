@@ -7,12 +7,13 @@ use super::super::implication;
 use super::super::sheet::{RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::factors::Factors;
-use super::marks::{Marks, Stated};
+use super::marks::{Marks, OF_COMPLEX, Stated};
 use super::members::Members;
 use super::scan::Formula;
 use crate::tex::{
-    Display, Doubt, DoubtKind, Elementary, Equation, Name, Names, Opaque, Operation, ReadError, Relation, Symbols,
-    Tree, any, any_side, functions_given, is_constant, names_in, pair_of, read_display, read_name, with_commands,
+    Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
+    Relation, Symbols, Tree, any, any_side, functions_given, is_constant, is_opaque, names_in, pair_of, read_display,
+    read_name, with_commands,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -36,7 +37,7 @@ pub(super) struct Asked<'a> {
     pub tex: &'a str,
     /// True for a link of a chain.
     pub is_link: bool,
-    /// What its author says that it is.
+    /// The role that its author gives it.
     pub role: Option<Role>,
     /// True if he says what it follows from.
     pub is_founded: bool,
@@ -58,7 +59,7 @@ pub(super) struct Guess {
     called: BTreeSet<String>,
     /// A letter that a formula in one letter gives, before a bracket with that one: `A(r`.
     applied: BTreeSet<String>,
-    /// What each formula leaves open, by its label.
+    /// The question that each formula leaves open, by its label.
     open: HashMap<String, &'static str>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
     complex: BTreeSet<Name>,
@@ -68,7 +69,7 @@ pub(super) struct Guess {
     factors: Factors,
     /// The functions that one formula gives, `f(x) = x^2`.
     given_functions: BTreeSet<Name>,
-    /// What is read of terms that may be symbols; none where nothing is guessed.
+    /// The exceptions where terms that are not understood are symbols; none where nothing is guessed.
     opaque: Option<RawOpaque>,
     /// True if the document declares symbols.
     pub has_symbols: bool,
@@ -86,7 +87,7 @@ pub(super) struct Guess {
     premises: Vec<String>,
     /// The formulas that give a defined name once more.
     again: HashMap<Name, Vec<String>>,
-    /// What may be a law, with its names.
+    /// The formulas that may be laws, with their names.
     laws: Vec<(String, BTreeSet<Name>)>,
     /// All names that need a declaration.
     names: BTreeSet<Name>,
@@ -259,18 +260,8 @@ fn multiplies_operators(node: &Tree) -> bool {
     hats.len() > 1
 }
 
-/// Commands of the parts of complex numbers.
-const OF_COMPLEX: [&str; 6] = [
-    r"\Re",
-    r"\Im",
-    r"\operatorname{Re}",
-    r"\operatorname{Im}",
-    r"\mathrm{Re}",
-    r"\mathrm{Im}",
-];
-
-/// What leaves open whatever rests on equations.
-fn loose_basis(equations: &[Equation]) -> Option<&'static str> {
+/// Returns the question that is open for all that rests on these equations.
+fn question_below(equations: &[Equation]) -> Option<&'static str> {
     let is_guess = |doubt: &Doubt| matches!(doubt.kind, DoubtKind::Guess(_));
     if equations.iter().any(|equation| equation.doubts.0.iter().any(is_guess)) {
         return Some("a remark that may be a condition");
@@ -291,15 +282,8 @@ fn is_order(node: &Tree) -> bool {
     matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_)))
 }
 
-/// Whether a node is a term that is not understood and was read as one symbol; a letter in bold is understood.
-fn is_opaque(node: &Tree) -> bool {
-    let is_bold = |base: &str| {
-        [r"\mathbf", r"\bm", r"\boldsymbol"]
-            .iter()
-            .any(|font| base.starts_with(font))
-    };
-    let is_term = |base: &str| base.contains(['(', '[', '{', '_', '^', '|', ' ']);
-    matches!(node, Tree::Symbol(name, _) if is_term(&name.base) && !is_bold(&name.base))
+fn is_opaque_symbol(node: &Tree) -> bool {
+    matches!(node, Tree::Symbol(name, _) if is_opaque(name))
 }
 
 /// The running time of a document that does not say it.
@@ -447,7 +431,7 @@ impl Guess {
         }
     }
 
-    /// What a formula is.
+    /// Guesses the role of a formula and what it follows from.
     pub fn of(&mut self, asked: &Asked) -> Guessed {
         let &Asked {
             at,
@@ -459,7 +443,7 @@ impl Guess {
             is_doubtful,
         } = asked;
         self.numbers.insert(label.to_owned(), at);
-        if let Some(open) = self.open(at, tex).or_else(|| self.has_loose_end(at, is_link)) {
+        if let Some(open) = self.question(at, tex).or_else(|| self.question_beside(at, is_link)) {
             self.open.insert(label.to_owned(), open);
         }
         let equations = self.read.get(at).cloned().unwrap_or_default();
@@ -482,20 +466,10 @@ impl Guess {
         }
         let mut below = self.definitions_of(&names);
         let may_be_law = is_guess && role == Role::Claim && !is_link && self.may_be_law(&equations, &names);
-        let loose = loose_basis(&equations);
+        let loose = question_below(&equations);
         // a letter that is given a second value has either
-        if let [
-            Equation {
-                left: Tree::Symbol(name, _),
-                relation: Relation::Equal,
-                ..
-            },
-        ] = equations.as_slice()
-            && is_guess
-            && self.definitions.contains_key(name)
-            && !is_link
-        {
-            self.again.entry(name.clone()).or_default().push(label.to_owned());
+        if let Some(name) = self.second_value(&equations).filter(|_| is_guess && !is_link) {
+            self.again.entry(name).or_default().push(label.to_owned());
         }
         if is_guess && role == Role::Claim {
             let reached = self.reached(&names);
@@ -561,6 +535,20 @@ impl Guess {
         }
     }
 
+    /// Returns the defined letter to which an equation gives a value once more.
+    fn second_value(&self, equations: &[Equation]) -> Option<Name> {
+        match equations {
+            [
+                Equation {
+                    left: Tree::Symbol(name, _),
+                    relation: Relation::Equal,
+                    ..
+                },
+            ] if self.definitions.contains_key(name) => Some(name.clone()),
+            _ => None,
+        }
+    }
+
     /// Returns true if an equation introduces a letter, and its sides have different ones.
     fn may_be_law(&self, equations: &[Equation], names: &BTreeSet<Name>) -> bool {
         let [equation] = equations else {
@@ -612,9 +600,9 @@ impl Guess {
         })
     }
 
-    /// What formula number `at` leaves open beside others: antiderivatives that differ by constants, and orders, which are not
-    /// equal where they are printed alike.
-    fn has_loose_end(&self, at: usize, is_link: bool) -> Option<&'static str> {
+    /// Returns what formula number `at` leaves open beside others: antiderivatives that differ by constants, and orders, which
+    /// are not equal where they are printed alike.
+    fn question_beside(&self, at: usize, is_link: bool) -> Option<&'static str> {
         let equations = self.read.get(at).into_iter().flatten();
         let (mut antiderivatives, mut orders, mut is_alone) = (0, 0, false);
         for equation in equations {
@@ -631,8 +619,8 @@ impl Guess {
         (orders > 0 && (is_link || orders > 1)).then_some("orders that need not be equal")
     }
 
-    /// What formula number `at` leaves open, so that nothing is decided of it.
-    fn open(&self, at: usize, tex: &str) -> Option<&'static str> {
+    /// Returns the question that formula number `at` leaves open, so that nothing is decided of it.
+    fn question(&self, at: usize, tex: &str) -> Option<&'static str> {
         let shown = plain(tex);
         let inverts = |letter: &String| {
             [r"^{-1}", r"^-1"]
@@ -646,7 +634,7 @@ impl Guess {
         if self.applied.iter().any(|call| shown.contains(call.as_str())) {
             return Some("a formula before a bracket that may be its argument");
         }
-        if has(&OF_COMPLEX) || shown.contains(r"\arg") {
+        if has(&OF_COMPLEX) {
             return Some("real symbols, or complex ones?");
         }
         if shown.contains(r"\ast") {
@@ -663,7 +651,7 @@ impl Guess {
             let binds = |node: &Tree| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some());
             if has_dependence(equation)
                 || is_some(&mut is_rate)
-                || (is_some(&mut is_opaque) && is_some(&mut |node| binds(node)))
+                || (is_some(&mut is_opaque_symbol) && is_some(&mut |node| binds(node)))
             {
                 Some("what depends on what?")
             } else if only_reorders(equation) {
@@ -898,7 +886,7 @@ impl Guess {
         let mut found = BTreeMap::new();
         for entry in unread {
             let at = self.numbers.get(printed_label(&entry.label));
-            if at.is_none_or(|&at| self.open(at, &entry.tex.tex).is_some()) {
+            if at.is_none_or(|&at| self.question(at, &entry.tex.tex).is_some()) {
                 continue;
             }
             let functions = of_time(entry)
@@ -1083,9 +1071,6 @@ fn last_name(before: &str) -> Option<Name> {
     names.last()
 }
 
-/// Letters that stand for functions more often than for factors.
-const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
-
 /// The letters before a bracket that may be functions: those that mostly are, and those before a single term, which a factor would
 /// need no bracket for; those of time are known. What is shown has no blanks, and no `\left`.
 fn letters_called<'a>(shown: &'a str, is_of_time: &'a dyn Fn(&str) -> bool) -> impl Iterator<Item = &'a str> {
@@ -1100,7 +1085,7 @@ fn letters_called<'a>(shown: &'a str, is_of_time: &'a dyn Fn(&str) -> bool) -> i
         let is_closed = shown[at + 1 + inside.len()..].starts_with(close);
         let is_single = is_closed && !inside.trim_start_matches('-').contains(['+', '-', '=', ',']);
         let may_be_called = is_single || (bracket == "[" && is_closed);
-        (FUNCTIONS.contains(&letter) || (may_be_called && !is_of_time(letter))).then_some(letter)
+        (FUNCTION_LETTERS.contains(&letter) || (may_be_called && !is_of_time(letter))).then_some(letter)
     })
 }
 

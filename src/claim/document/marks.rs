@@ -3,7 +3,7 @@
 use super::members::{Members, contains_unit, j_is_unit};
 use super::words::is_identity_of_words;
 use crate::tex::{
-    Equation, Invariant, Name, Names, Operation, Relation, Tree, any, base_alone, is_constant, letters, names_in,
+    BOLD, Equation, Invariant, Name, Names, Operation, Relation, Tree, any, base_alone, is_constant, letters, names_in,
 };
 use std::collections::BTreeSet;
 
@@ -46,20 +46,11 @@ const OF_MATRICES: [&str; 16] = [
     r"\text{rank}",
 ];
 
-/// What terms that are not understood start with where they may be no numbers.
-const OF_OPERATORS: [&str; 8] = [
-    r"\mathbb",
-    r"\mathcal",
-    r"\mathscr",
-    r"\mathbf",
-    r"\bm",
-    r"\boldsymbol",
-    r"\nabla",
-    r"\langle",
-];
+/// Commands that begin a term which is not understood and may be no number, beside those of letters in bold.
+const OF_OPERATORS: [&str; 5] = [r"\mathbb", r"\mathcal", r"\mathscr", r"\nabla", r"\langle"];
 
 /// Commands of the parts of complex numbers.
-const OF_COMPLEX: [&str; 7] = [
+pub(super) const OF_COMPLEX: [&str; 7] = [
     r"\Re",
     r"\Im",
     r"\arg",
@@ -147,7 +138,8 @@ impl Marks {
                             marks.operators.insert(name.clone());
                         }
                         let is_capital = name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase());
-                        let is_of_operator = OF_OPERATORS.iter().any(|command| name.base.starts_with(command));
+                        let mut commands = OF_OPERATORS.iter().chain(&BOLD);
+                        let is_of_operator = commands.any(|command| name.base.starts_with(command));
                         if (has_matrices && is_capital && !is_constant(name)) || is_of_operator {
                             marks.operators.insert(name.clone());
                         }

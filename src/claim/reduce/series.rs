@@ -541,7 +541,7 @@ impl Small<'_> {
         let length = self.length;
         let one = || Series::constant(integer(1), length);
         if let Some((above, below)) = Elementary::named(name).and_then(Elementary::quotient) {
-            let (sine, cosine) = self.waves(&inner, below.command.ends_with('h'))?;
+            let (sine, cosine) = self.waves(&inner, [r"\sinh", r"\cosh"].contains(&below.command))?;
             let of = |function: &Elementary| {
                 if function.parity == Some(Parity::Odd) {
                     &sine
