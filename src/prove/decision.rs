@@ -89,7 +89,7 @@ impl Decision {
     pub fn is_expected(&self) -> bool {
         match self.standing {
             Standing::Said => self.verdict == self.expected,
-            _ => self.verdict != Verdict::Suspect,
+            _ => !matches!(self.verdict, Verdict::Suspect | Verdict::Refuted),
         }
     }
 

@@ -221,10 +221,10 @@ impl Table {
         ["verdict", "expected"].iter().all(|name| self.position(name).is_some())
     }
 
-    /// Returns true if a verdict is the expected one; where none is expected, nothing may be suspect.
+    /// Returns true if a verdict is the expected one; where none is expected, nothing may be suspect or refuted.
     pub fn is_expected(verdict: &str, expected: &str) -> bool {
         match expected {
-            "" => verdict != "suspect",
+            "" => !["suspect", "refuted"].contains(&verdict),
             expected => verdict == expected,
         }
     }

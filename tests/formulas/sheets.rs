@@ -738,3 +738,24 @@ fn wrong_vocabularies() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+#[test]
+fn what_prints_nothing_parts_statements_as_blanks_do() {
+    let text = "[symbols]\nparameters = ['a', 'b']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = 'a = a \\phantom{aa} b = b'\n";
+    assert_eq!(verdicts(text), [("1".to_owned(), Verdict::Proved)]);
+}
+
+#[test]
+fn a_refutation_is_never_as_expected_where_proofs_are() {
+    for standing in ["law", "link", "open"] {
+        let text = format!(
+            "[symbols]\nparameters = ['a', 'b']\n[[equation]]\nlabel = '1'\nrole = 'claim'\nstanding = '{standing}'\ntex = 'a + b = a'\n"
+        );
+        let decision = audit(&text).unwrap().remove(0);
+        assert_eq!(
+            (decision.verdict, decision.is_expected()),
+            (Verdict::Refuted, false),
+            "{standing}"
+        );
+    }
+}

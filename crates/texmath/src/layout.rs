@@ -745,8 +745,11 @@ impl<'a> Writer<'a, '_> {
             }
             Number => {
                 let number = text(last.as_ref()).trim().to_ascii_lowercase();
-                // 1,000 may be a thousand
-                if number.contains(',') {
+                // 1,000 may be a thousand, and what a slash or a power takes of a product is not seen
+                let before = self.slice(0, at).trim_end();
+                let is_product = number.contains('e');
+                let is_parted = before.ends_with('/') || self.byte(self.after_blanks(next, end)) == b'^';
+                if number.contains(',') || (is_product && is_parted) {
                     return None;
                 }
                 let is_decimal = |text: &str| text.trim_start_matches(['-', '+']).parse::<f64>().is_ok();
@@ -1052,6 +1055,7 @@ mod tests {
                 r"x'^{ 2} + y'' + z^\prime",
             ),
             (r"\mqty[a & b \\ c & d]", r"\begin{bmatrix}a & b \\ c & d\end{bmatrix}"),
+            (r"x / \num{2e3}", r"x / \num{2e3}"),
             (r"\num{1.5e-3} m", r"1.5 \cdot 10^{-3} m"),
             (r"a = b \qed", "a = b"),
             (r"\underbrace{a + b}_{c} - b", "a + b - b"),
