@@ -141,7 +141,7 @@ fn every_single_edit_of_the_paper_is_decided_rightly() {
     let (next, wrong, undecided) = (AtomicUsize::new(0), Mutex::new(Vec::new()), AtomicUsize::new(0));
     let decide = || {
         while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-            if !sample::takes(&format!("{} {} {:?}", case.label, case.tex, case.local), 12) {
+            if !sample::takes(&format!("{} {} {:?}", case.label, case.tex, case.local), 24) {
                 continue;
             }
             let decision = bench.decide(&bench.sheet(case.label, &case.tex, &case.local));
