@@ -128,7 +128,8 @@ impl Sheet {
 
     /// Lets nothing rest on a formula that is taken for a law and cannot be read.
     fn leave_out_laws_that_are_unread(&mut self) {
-        let is_unread_law = |entry: &Entry| entry.standing == Standing::Law && entry.unread.is_some();
+        let is_unread_law =
+            |entry: &Entry| !matches!(entry.standing, Standing::Said | Standing::Definition) && entry.unread.is_some();
         let laws: HashSet<usize> = (0..self.entries.len())
             .filter(|&position| self.entries.get(position).is_some_and(is_unread_law))
             .collect();

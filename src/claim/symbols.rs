@@ -274,7 +274,14 @@ impl RawSymbols {
         texts.extend(plain.chain(kinds).cloned());
         texts.extend(self.maps.keys().cloned());
         let word = |text: &String| -> String { text.trim().chars().take_while(char::is_ascii_alphabetic).collect() };
-        let words = texts.iter().map(word).filter(|word| word.len() > 1).collect();
+        // `Cov(X_1, X_2)` is a symbol, `Cov` none
+        let is_name = |text: &&String| self.opaque.is_none() || !text.contains('(');
+        let words = texts
+            .iter()
+            .filter(is_name)
+            .map(word)
+            .filter(|word| word.len() > 1)
+            .collect();
         let letter = |text: &String| -> Option<String> {
             let text = text.trim();
             (text.len() == 1).then(|| text.to_owned())
@@ -282,10 +289,7 @@ impl RawSymbols {
         Ok(Names {
             letters: texts.iter().filter_map(letter).collect(),
             words,
-            opaque: self.opaque.clone().map(|opaque| Opaque {
-                factors: opaque.factors,
-                functions: opaque.functions,
-            }),
+            opaque: self.opaque.clone().map(Opaque::from),
             ..Names::default()
         })
     }
@@ -390,6 +394,17 @@ fn equations(tex: &str, symbols: &Symbols) -> Result<Vec<Equation>, Fault> {
 pub struct RawOpaque {
     pub factors: BTreeSet<String>,
     pub functions: BTreeSet<String>,
+    pub values: BTreeSet<String>,
+}
+
+impl From<RawOpaque> for Opaque {
+    fn from(raw: RawOpaque) -> Self {
+        Self {
+            factors: raw.factors,
+            functions: raw.functions,
+            values: raw.values,
+        }
+    }
 }
 
 /// Left and right sides, as a table or as a list of equations.

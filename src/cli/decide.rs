@@ -9,7 +9,7 @@ use crate::prove::{self, mention_refuted};
 use crate::repair::{Repair, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
-use crate::tex::{Tree, names_in};
+use crate::tex::{Equation, Relation, Tree, any_side, names_in};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -93,14 +93,16 @@ fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<V
 /// The largest edit that is a slip of the pen: one sign, name or digit.
 const SLIP: u32 = 11;
 
-/// Returns true if a repair is one slip of the pen. What puts in the difference of the sides mends every formula, and a number
-/// that becomes 0 takes a term away that a condition may have taken away.
+/// Returns true if a repair is one slip of the pen. What puts in the difference of the sides mends every formula, a number that
+/// becomes 0 takes a term away that a condition may have taken away, and nobody forgets the brackets of a whole side with its power.
 fn is_slip(repair: &Repair) -> bool {
     let [edit] = repair.edits.as_slice() else {
         return false;
     };
     let becomes_zero = matches!(&edit.tree, Tree::Number(number) if number.0.is_zero());
-    repair.size <= SLIP && !becomes_zero
+    let is_side = edit.path.len() == 1;
+    let is_power_of_sum = matches!(&edit.tree, Tree::Power(of, ..) if matches!(**of, Tree::Sum(_)));
+    repair.size <= SLIP && !becomes_zero && !(is_side && is_power_of_sum)
 }
 
 /// Returns true if both sides of a formula have the same letters, as most links of chains have.
@@ -115,6 +117,34 @@ fn has_one_set_of_letters(sheet: &Sheet, position: usize) -> bool {
         && equations
             .iter()
             .all(|equation| letters(&equation.left) == letters(&equation.right))
+}
+
+/// Returns true for a formula that may be right although it fails: one with rounded numbers, an inequality, where letters may be
+/// bounded, one with a constant that takes in what is added to it, and one with an angle of so many turns.
+fn is_loose(sheet: &Sheet, position: usize) -> bool {
+    let Some(entry) = sheet.entries.get(position) else {
+        return false;
+    };
+    let figures: Vec<char> = entry.tex.tex.chars().collect();
+    let is_rounded = figures
+        .windows(3)
+        .any(|three| three[0].is_ascii_digit() && three[1] == '.' && three[2].is_ascii_digit());
+    let is_letter =
+        |tree: &Tree, letters: &[&str]| matches!(tree, Tree::Symbol(name, _) if letters.contains(&name.base.as_str()));
+    let counts_turns = |node: &Tree| match node {
+        Tree::Product(factors) => {
+            factors.iter().any(|factor| is_letter(factor, &[r"\pi"]))
+                && factors
+                    .iter()
+                    .any(|factor| is_letter(factor, &["n", "m", "k", "l", "j"]))
+        }
+        _ => false,
+    };
+    let is_loose = |equation: &Equation| {
+        equation.relation != Relation::Equal
+            || any_side(equation, &mut |node| counts_turns(node) || is_letter(node, &["C"]))
+    };
+    is_rounded || entry.equations.iter().any(is_loose)
 }
 
 /// Decides the claim at a position of a sheet.
@@ -134,7 +164,10 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             )
         })
         .transpose()?;
-    let is_link = decision.standing == Standing::Link && decision.fails && has_one_set_of_letters(sheet, position);
+    let is_link = decision.standing == Standing::Link
+        && decision.fails
+        && has_one_set_of_letters(sheet, position)
+        && !is_loose(sheet, position);
     let mut repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
         _ if is_link => Some(repairs(sheet, position, options)),

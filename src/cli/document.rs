@@ -1,11 +1,12 @@
 //! Documents as `audit` reads them: the files that they include, the numbers that they print.
 
+use super::files::Files;
 use super::source::DOCUMENT_AT_MOST;
 use super::verdicts::Unusable;
 use super::{Failure, Options, Source, golden, note};
 use crate::claim::{Document, Fault, Markup, PrintedNumber};
 use crate::reference::{self, Directory, Outcome, PRINTED_COLUMNS, Printed};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The document in a file whose name says that it is one.
 ///
@@ -15,7 +16,7 @@ pub fn read(source: &Source) -> Result<Option<Document>, Failure> {
     if markup(source).is_none() {
         return Ok(None);
     }
-    let text = source.read(DOCUMENT_AT_MOST)?;
+    let text = source.read_document(DOCUMENT_AT_MOST)?;
     Ok(of_text(source, &text))
 }
 
@@ -31,8 +32,7 @@ pub fn of_stdin(text: &str) -> Option<Document> {
         _ if text.contains("$$") => Markup::Markdown,
         _ => return None,
     };
-    let directory = PathBuf::from(".");
-    Some(Document::read(text, markup, &mut |name| included(&directory, name)))
+    Some(with_files(text, markup, &Files::around(Path::new("./stdin"), text)))
 }
 
 /// Returns how the document in a file is written; `None` where its name is that of no document.
@@ -52,34 +52,11 @@ pub fn of_text(source: &Source, text: &str) -> Option<Document> {
     let (markup, Source::File(path)) = (markup(source)?, source) else {
         return None;
     };
-    let directory = directory(path);
-    Some(Document::read(text, markup, &mut |name| included(&directory, name)))
+    Some(with_files(text, markup, &Files::around(path, text)))
 }
 
-fn directory(path: &Path) -> PathBuf {
-    match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    }
-}
-
-/// The text of a file that a document includes, which lies beside or below it.
-fn included(directory: &Path, name: &str) -> Result<String, String> {
-    let with_extension = format!("{name}.tex");
-    let names = [with_extension.as_str(), name];
-    let Some(path) = names
-        .iter()
-        .map(|name| directory.join(name))
-        .find(|path| path.is_file())
-    else {
-        return Err("there is no such file".to_owned());
-    };
-    let place = |path: &Path| path.canonicalize().map_err(|error| error.to_string());
-    if !place(&path)?.starts_with(place(directory)?) {
-        return Err("it leads out of the directory of the document".to_owned());
-    }
-    let text = Source::File(path).read(DOCUMENT_AT_MOST);
-    text.map_err(|error| error.problem.to_string())
+fn with_files(text: &str, markup: Markup, files: &Files) -> Document {
+    Document::read_below(text, &files.preamble(text), markup, &mut |name| files.included(name))
 }
 
 /// Says what is wrong with a document and what was guessed of it.
@@ -115,7 +92,7 @@ pub fn numbers(document: &Document, source: &Source, options: &Options) -> (Vec<
     let Source::File(path) = source else {
         return (Vec::new(), Vec::new());
     };
-    let directory = Directory::At(directory(path));
+    let directory = Directory::At(super::files::directory(path));
     let (mut outcomes, mut unusable) = (Vec::new(), Vec::new());
     for (place, number) in document.numbers.iter().enumerate() {
         match outcome(&row(place, number), &source.name(), &directory, options) {

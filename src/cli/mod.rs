@@ -15,6 +15,7 @@ mod decide;
 mod document;
 mod exit;
 mod failure;
+mod files;
 mod golden;
 mod man;
 mod map;

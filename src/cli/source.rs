@@ -1,6 +1,6 @@
 //! Where a command reads from: a file, `-` for stdin.
 
-use super::caller;
+use super::{caller, note};
 use crate::input::read_at_most;
 use crate::report::{note_input, note_stdin};
 use crate::scene::find;
@@ -103,12 +103,30 @@ impl Source {
 
     /// The whole text, of at most so many MB.
     pub fn read(&self, most: u64) -> Result<String, SourceError> {
-        self.text(most).map_err(|problem| SourceError {
+        self.text(most).map_err(|problem| self.named(problem))
+    }
+
+    fn named(&self, problem: SourceProblem) -> SourceError {
+        SourceError {
             place: self.name(),
             problem: match problem {
                 SourceProblem::Missing if find(&self.name()).is_some() => SourceProblem::Scene(self.name()),
                 problem => problem,
             },
+        }
+    }
+
+    /// The whole text of a document, of at most so many MB; what is not UTF-8 is taken for Latin-1, and said to be.
+    pub fn read_document(&self, most: u64) -> Result<String, SourceError> {
+        let bytes = self.bytes(most).map_err(|problem| self.named(problem))?;
+        String::from_utf8(bytes).or_else(|error| {
+            let bytes = error.into_bytes();
+            // what has zero bytes is no text at all
+            if bytes.contains(&0) {
+                return Err(self.named(SourceProblem::NotText(0)));
+            }
+            note(&format!("{}: it is not UTF-8, and taken for Latin-1", self.name()));
+            Ok(bytes.into_iter().map(char::from).collect())
         })
     }
 
@@ -124,7 +142,11 @@ impl Source {
     }
 
     fn text(&self, most: u64) -> Result<String, SourceProblem> {
-        let bytes = match self {
+        String::from_utf8(self.bytes(most)?).map_err(|error| SourceProblem::NotText(error.utf8_error().valid_up_to()))
+    }
+
+    fn bytes(&self, most: u64) -> Result<Vec<u8>, SourceProblem> {
+        Ok(match self {
             Self::Stdin => match caller::with_input(|input| limited(input.text.as_bytes(), most)) {
                 Some(given) => given?,
                 None => {
@@ -136,8 +158,7 @@ impl Source {
                 note_input(path);
                 limited(fs::File::open(path)?, most)?
             }
-        };
-        String::from_utf8(bytes).map_err(|error| SourceProblem::NotText(error.utf8_error().valid_up_to()))
+        })
     }
 }
 

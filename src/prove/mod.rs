@@ -28,7 +28,7 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use crate::claim::{
-    Goal, Reduced, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values,
+    Fault, Goal, Reduced, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values,
 };
 use crate::kernel;
 use crate::tex::{DoubtKind, Equation, Name, Tree, any_side};
@@ -73,6 +73,11 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
         let reason = name.map_or("a definition".to_owned(), |name| format!("a definition of `{name}`"));
         return Decision::of(sheet, position).given(reason);
     }
+    if let (Standing::Definition | Standing::Law, Some(fault)) =
+        (standing, entry.and_then(|entry| entry.unread.as_ref()))
+    {
+        return Decision::of(sheet, position).given(given_unread(standing, fault));
+    }
     let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
     match (standing, decision.verdict) {
         (Standing::Law, Verdict::Undecided) => {
@@ -84,6 +89,15 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
         }
         _ => decision,
     }
+}
+
+/// The reason why a formula that cannot be read is given.
+fn given_unread(standing: Standing, fault: &Fault) -> String {
+    let what = match standing {
+        Standing::Definition => "a definition",
+        _ => "said, not derived",
+    };
+    format!("{what}; not all of it is read: {}", fault.message)
 }
 
 /// What decides the claim at a position, question by question: nothing for a claim that stays undecided.

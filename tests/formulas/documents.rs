@@ -822,15 +822,15 @@ fn a_letter_of_two_meanings_costs_the_formulas_that_hold_it() {
     for (text, wanted) in [
         (
             "\\[ g_{1,2} = k h_{1,2} \\]\n\\[ h(t) = 2 q(t) \\]\n\\[ (a+b)^2 = a^2 + 2 a b + b^2 \\]\n",
-            "line 1 unread, line 3 proved",
+            "line 1 given, line 3 proved",
         ),
         (
             "\\[ t_{1,2} = a \\]\n\\[ x(t) = 2 a t \\]\n\\[ a + b = b + a + 0 \\]\n",
-            "line 1 unread, line 3 proved",
+            "line 1 given, line 3 proved",
         ),
         (
             "\\[ v = \\dif{r}{t}(t) \\]\n\\[ x(t) = 2 a t \\]\n\\[ a + b = b + a + 0 \\]\n",
-            "line 1 unread, line 3 proved",
+            "line 1 given, line 3 proved",
         ),
     ] {
         assert_eq!(verdicts(&document(text, &[])).join(", "), wanted, "{text}");
@@ -1182,7 +1182,12 @@ fn the_command_reads_documents_includes_what_lies_below_and_checks_printed_numbe
     let scratch = scratch("commands");
     std::fs::create_dir(scratch.join("sub")).unwrap();
     scratch.file("sub/part.tex", "\\[ a b = b a \\] % audit: claim\n");
-    scratch.file("outside.tex", "\\[ a = 1 \\]\n");
+    scratch.file("macros.tex", "\\newcommand{\\twice}[1]{2 #1}\n");
+    scratch.file(
+        "sub/chapter.tex",
+        "% audit: symbols a\n\\input{../macros}\n\\[ \\twice{a} = a + a \\] % audit: claim\n",
+    );
+    assert_eq!(scratch.run(&["audit", "sub/chapter.tex"]).status, Some(0));
     scratch.file(
         "sub/main.tex",
         "% audit: symbols a, b\n\\input{part}\nThe velocity is 0.83272, % audit: value orbits.velocities[0], scene fig02, motion.d=0.4\n",
@@ -1195,13 +1200,13 @@ fn the_command_reads_documents_includes_what_lies_below_and_checks_printed_numbe
     );
     scratch.file(
         "sub/wrong.tex",
-        "% audit: symbols a, b\n\\input{../outside}\n\\[ a b = b a \\] % audit: claim\n% audit: value orbits.velocities[0], scene fig02, motion.d=0.4\nIt is 0.9.\n",
+        "% audit: symbols a, b\n\\input{/etc/passwd}\n\\[ a b = b a \\] % audit: claim\n% audit: value orbits.velocities[0], scene fig02, motion.d=0.4\nIt is 0.9.\n",
     );
     let ran = scratch.run(&["audit", "sub/wrong.tex", "--format", "csv"]);
     let (shown, said) = (ran.stdout, ran.stderr);
     assert_eq!(ran.status, Some(2), "{said}");
     assert!(
-        said.contains("leads out of the directory")
+        said.contains("leads out of")
             && shown.contains("proved")
             && shown.contains("0.9")
             && shown.contains("off-by-one"),
@@ -1660,5 +1665,136 @@ fn a_derivation_under_a_condition_that_stands_in_words_is_not_suspect() {
             "{chain}: {}",
             ran.stdout
         );
+    }
+}
+
+#[test]
+fn each_link_of_a_chain_on_one_line_is_judged_by_itself() {
+    let text = r"
+$$ y = (a+b)^2 = a^2 + 2 a b + b^2 = a^2 + b (2 a - b) $$
+$$ y = a^2 + 2 a b + b^2 $$
+";
+    let found = Document::read(text, Markup::Markdown, &mut |_| Err(String::new()));
+    assert_eq!(
+        verdicts(&found),
+        [
+            "line 2.1 given",
+            "line 2.2 proved",
+            "line 2.3 undecided",
+            "line 3 proved"
+        ]
+    );
+    let ran = audited("\\[ y = (a+b)^2 = a^2 + 2 a b + b^2 = a^2 + b (2 a - b) \\]");
+    assert!(
+        ran.status == Some(1) && ran.stdout.contains("line 1.3,suspect"),
+        "{}",
+        ran.stdout
+    );
+}
+
+#[test]
+fn a_formula_that_is_not_read_is_given_where_it_only_defines_or_says_something() {
+    let text = r"
+\[ X = [x_1, \ldots, x_n] \otimes P \]
+\[ Y \sim \mathcal{N}(\mu, \sigma^2) \]
+\begin{align*} c &= a + b \\ &= b \heartsuit a \end{align*}
+";
+    let found = document(text, &[]);
+    let shown = verdicts(&found);
+    assert_eq!(
+        shown,
+        ["line 2 given", "line 3 given", "line 4.1 given", "line 4.2 unread"]
+    );
+}
+
+#[test]
+fn a_claim_rests_on_the_equations_before_it_that_hold_its_letters() {
+    let text = r"
+\[ m = \rho v A = \rho w B \]
+\[ c^2 = \frac{p}{q} \]
+\[ F = m (v - w) \]
+\begin{align*} P &= F v \\ &= \rho w B (v - w) v \end{align*}
+";
+    let found = document(text, &[]);
+    assert_eq!(verdicts(&found).last().map(String::as_str), Some("line 5.2 proved"));
+}
+
+#[test]
+fn letters_in_bold_and_second_shapes_are_letters_of_their_own() {
+    let text = r"
+\[ W + 2 \mathbf{W} = 3 \mathbf W + W - \mathbf{W} \]
+\[ W - \mathbf{W} = 0 \]
+\[ \epsilon + \varepsilon - \epsilon = \varepsilon \]
+";
+    let found = document(text, &[]);
+    assert_eq!(verdicts(&found), ["line 2 proved", "line 3 undecided", "line 4 proved"]);
+}
+
+#[test]
+fn a_function_whose_formula_is_not_understood_depends_on_its_argument() {
+    let text = r"
+\[ H(f) = \sum_i f_i \log(f_i) \]
+\begin{align*} K &= 2 H(f) + c - H(f) \\ &= H(3 f) + c \end{align*}
+";
+    let found = document(text, &[]);
+    assert!(
+        !verdicts(&found).contains(&"line 3.2 proved".to_owned()),
+        "{:?}",
+        verdicts(&found)
+    );
+}
+
+#[test]
+fn macros_are_those_of_the_document_that_includes_this_one() {
+    let scratch = scratch("root");
+    std::fs::create_dir_all(scratch.join("book/chapters")).unwrap();
+    scratch.file(
+        "book/main.tex",
+        "\\documentclass{book}\n\\usepackage{own}\n\\newcommand{\\half}{\\frac{1}{2}}\n\\begin{document}\n\\include{chapters/one}\n\\end{document}\n",
+    );
+    scratch.file("book/own.sty", "\\DeclarePairedDelimiter{\\size}{\\lvert}{\\rvert}\n");
+    // \xe9 is a letter of Latin-1
+    let chapter = "% caf\u{e9}\n\\[ \\half a + \\half a = a \\]\n\\[ \\size{-b} = \\size*{b} \\]\n";
+    let latin: Vec<u8> = chapter.chars().map(|c| c as u8).collect();
+    std::fs::write(scratch.join("book/chapters/one.tex"), latin).unwrap();
+    let ran = scratch.run(&["audit", "book/chapters/one.tex", "--format", "csv"]);
+    assert_eq!(
+        ran.stdout.matches(",proved,").count(),
+        2,
+        "{}{}",
+        ran.stdout,
+        ran.stderr
+    );
+    assert!(
+        ran.stderr.contains("macros of") && ran.stderr.contains("Latin-1"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn nothing_follows_from_a_derived_formula_that_is_not_proved() {
+    for text in [
+        "$$ f = (1+x)^2 = 1 + 2 x $$\n\n$$ z = 1 - 7 x $$\n\n$$ z = x^2 $$\n",
+        "$$ E = \\frac{m c^2}{\\sqrt{1 - v^2/c^2}} = m c^2 + \\frac{1}{2} m v^2 $$\n\n$$ T = E - m c^2 $$\n\n$$ T = m v^2 $$\n",
+        "$$ p = m v $$\n\n$$ T = \\frac{1}{2} m v^2 = \\frac{m^2 v^2}{m} = \\frac{p^2}{2 m} $$\n",
+    ] {
+        let found = Document::read(text, Markup::Markdown, &mut |_| Err(String::new()));
+        let shown = verdicts(&found);
+        assert!(shown.iter().all(|row| !row.ends_with("proved")), "{text}: {shown:?}");
+    }
+}
+
+#[test]
+fn the_first_link_of_a_chain_may_be_suspect_and_what_may_be_meant_otherwise_is_not() {
+    for (chain, is_suspect) in [
+        (r"(x+1)^3 = x^3 + 3 x^2 + 3 x + 3 = x (x^2 + 3 x + 3) + 3", true),
+        (r"y = \frac{x}{3} + x = 1.33 x", false),
+        (r"y = \frac{x^2}{2} + 2 C = \frac{x^2}{2} + C", false),
+        (r"a^2 + b^2 \ge 2 a b \ge a b", false),
+        (r"r = \cos(n \pi - x) = \cos(n \pi + x)", false),
+    ] {
+        let ran = audited(&format!("\\[ {chain} \\]"));
+        assert_eq!(ran.stdout.contains(",suspect,"), is_suspect, "{chain}: {}", ran.stdout);
     }
 }

@@ -394,6 +394,10 @@ impl<'a> Writer<'a, '_> {
     /// Writes what stands at a byte, and returns where it ends.
     fn step(&mut self, at: usize, end: usize, depth: usize) -> usize {
         let next = self.token_end(at).min(end);
+        if let Some((close, written)) = self.derivative(at, end) {
+            self.write(&written, at);
+            return close;
+        }
         if self.names.opaque.is_some()
             && let Some(close) = self.opaque(at, end)
         {
@@ -480,6 +484,66 @@ impl<'a> Writer<'a, '_> {
         Some(close + 1)
     }
 
+    /// Returns the end of `\frac{\partial y}{\partial x}` that starts at a byte, and what it is read as where nothing says that `y` is
+    /// a function: the derivative of its value if it has one, else a symbol.
+    fn derivative(&self, at: usize, end: usize) -> Option<(usize, String)> {
+        let opaque = self.names.opaque.as_ref()?;
+        if self.byte(at) != b'\\' {
+            return None;
+        }
+        let next = self.token_end(at);
+        if ![r"\frac", r"\dfrac", r"\tfrac"].contains(&self.slice(at, next)) {
+            return None;
+        }
+        let group = |at: usize| {
+            let open = self.after_blanks(at, end);
+            let close = self.closing.get(open).copied().flatten().filter(|close| *close < end)?;
+            Some((open + 1, close))
+        };
+        let (above, below) = (group(next)?, group(group(next)?.1 + 1)?);
+        // the sign, where its power ends, and that
+        let sign = |(start, close): (usize, usize)| {
+            let start = self.after_blanks(start, close);
+            let signs = [r"\partial", r"\mathrm{d}", r"\mathrm d", r"\dd", r"{\rm d}", "d"];
+            let found = signs.iter().find(|sign| self.slice(start, close).starts_with(**sign))?;
+            let behind = start + found.len();
+            let is_word = found.ends_with(|c: char| c.is_ascii_alphabetic()) && found.starts_with('\\');
+            if is_word && self.byte(behind).is_ascii_alphabetic() {
+                return None;
+            }
+            let is_partial = *found == r"\partial";
+            let power = self.after_blanks(behind, close);
+            match self.byte(power) {
+                b'^' => Some((
+                    is_partial,
+                    self.script_end(power, close),
+                    self.slice(power, self.script_end(power, close)),
+                )),
+                _ => Some((is_partial, behind, "")),
+            }
+        };
+        let (is_partial, of, order) = sign(above)?;
+        let (is_same, by, _) = sign(below)?;
+        let of = self.after_spaces(of, above.1);
+        let by = self.after_spaces(by, below.1);
+        let name = self.slice(of, self.scripts_end(self.name_end(of, above.1)?, above.1, false));
+        let end_of_letter = self.scripts_end(self.name_end(by, below.1)?, below.1, false);
+        let letter = self.slice(by, end_of_letter);
+        let power = self.slice(end_of_letter, below.1).trim();
+        let is_whole = of + name.len() == above.1 - trailing_blanks(self.slice(of, above.1));
+        let is_function = |known: &Name| bare(&known.to_string()) == bare(name);
+        let is_known = self.names.functions.iter().chain(&self.names.defined).any(is_function);
+        if is_partial != is_same || !is_whole || power.trim() != order.trim() || is_known || letter.is_empty() {
+            return None;
+        }
+        let d = if is_partial { r"\partial " } else { "d" };
+        let written = match opaque.values.iter().any(|value| bare(value) == bare(name)) {
+            true => format!(r"\frac{{d{order} {name}}}{{d{letter}{order}}}"),
+            false => opened(&format!(r"\frac{{{d}{order}{name}}}{{{d}{letter}{order}}}")),
+        };
+        Some((above.1.max(below.1) + 1, written))
+    }
+
     /// Returns the end of a term that starts at a byte and is not understood: an operator with its operand, brackets of a
     /// product, a letter before brackets that may hold its arguments.
     fn opaque(&self, at: usize, end: usize) -> Option<usize> {
@@ -561,11 +625,16 @@ impl<'a> Writer<'a, '_> {
         }
         // a letter in bold is another than the plain one
         if is_bold(name) {
-            let of = name
-                .split_once('{')
-                .map_or("", |(_, of)| of.trim_end_matches('}').trim());
+            let of = BOLD
+                .iter()
+                .find_map(|command| name.strip_prefix(command))
+                .unwrap_or_default();
+            let of = of.trim_matches(['{', '}', ' ']);
             let is_one = of.len() == 1 && of.bytes().all(|byte| byte.is_ascii_alphabetic()) || is_letter_command(of);
             return is_one.then_some(name_end);
+        }
+        if VARIANTS.contains(&name) {
+            return Some(name_end);
         }
         if !is_operator {
             return None;
@@ -597,7 +666,6 @@ impl<'a> Writer<'a, '_> {
             .and_then(|name| name.rsplit('{').next())
             .unwrap_or(name);
         let declared = self.names.functions.iter().any(|known| known.base == letter);
-        let bare = |text: &str| text.replace(['{', '}', ' '], "");
         let whole = bare(self.slice(at, self.scripts_end(name_end, self.source.len(), false)));
         let opaque = self.names.opaque.as_ref();
         let is_given = |known: &String| bare(known) == whole.trim_end_matches('\'');
@@ -672,7 +740,7 @@ impl<'a> Writer<'a, '_> {
         }
         let is_letter = match token.strip_prefix('\\') {
             Some("Pr" | "nabla") => true,
-            Some(_) => is_letter_command(token),
+            Some(_) => is_letter_command(token) || VARIANTS.contains(&token),
             None => token.bytes().all(|byte| byte.is_ascii_alphabetic()),
         };
         is_letter.then_some(next)
@@ -928,6 +996,9 @@ const ENDS: [&str; 22] = [
 /// Commands of letters in bold.
 pub const BOLD: [&str; 3] = [r"\mathbf", r"\bm", r"\boldsymbol"];
 
+/// Second shapes of letters, which are letters of their own where an author prints both.
+const VARIANTS: [&str; 2] = [r"\varepsilon", r"\varphi"];
+
 fn is_bold(base: &str) -> bool {
     BOLD.iter().any(|command| base.starts_with(command))
 }
@@ -939,6 +1010,26 @@ pub fn is_opaque(name: &Name) -> bool {
 
 /// The characters around a symbol that is a whole term.
 pub(super) const OPAQUE: [char; 2] = ['\u{e000}', '\u{e001}'];
+
+/// A text without braces and blanks.
+fn bare(text: &str) -> String {
+    text.replace(['{', '}', ' '], "")
+}
+
+fn trailing_blanks(text: &str) -> usize {
+    text.len() - text.trim_end().len()
+}
+
+/// The letter of which a symbol that is not understood is a derivative.
+pub fn derivative_of(base: &str) -> Option<&str> {
+    let above = base.strip_prefix(r"\frac{")?.split('}').next()?;
+    let of = above.strip_prefix(r"\partial").or_else(|| above.strip_prefix('d'))?;
+    let of = of.trim_start();
+    Some(match of.strip_prefix('^') {
+        Some(order) => order.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start(),
+        None => of,
+    })
+}
 
 /// A term as one symbol, however its brackets and blanks are printed.
 fn opened(term: &str) -> String {
@@ -959,6 +1050,13 @@ fn opened(term: &str) -> String {
             text.push(' ');
         }
         text.push_str(word);
+    }
+    // \mathbf x is \mathbf{x}
+    let of = BOLD
+        .iter()
+        .find_map(|command| Some((command, text.strip_prefix(command)?)));
+    if let Some((command, of)) = of.filter(|(_, of)| !of.starts_with('{')) {
+        text = format!("{command}{{{}}}", of.trim());
     }
     format!("{}{text}{}", OPAQUE[0], OPAQUE[1])
 }

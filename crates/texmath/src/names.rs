@@ -34,6 +34,8 @@ pub struct Opaque {
     pub factors: BTreeSet<String>,
     /// Functions whose arguments stand in them, as they print.
     pub functions: BTreeSet<String>,
+    /// Letters that have a value, as they print: derivatives of all others are terms that are not understood.
+    pub values: BTreeSet<String>,
 }
 
 impl Names {

@@ -116,9 +116,12 @@ fn of_symbols(symbols: &RawSymbols) -> String {
         let _ = writeln!(text, "{key} = {}", list(names));
     }
     if let Some(opaque) = &symbols.opaque {
-        let [factors, functions] =
-            [&opaque.factors, &opaque.functions].map(|names| list(&names.iter().cloned().collect::<Vec<_>>()));
-        let _ = writeln!(text, "opaque = {{ factors = {factors}, functions = {functions} }}");
+        let [factors, functions, values] = [&opaque.factors, &opaque.functions, &opaque.values]
+            .map(|names| list(&names.iter().cloned().collect::<Vec<_>>()));
+        let _ = writeln!(
+            text,
+            "opaque = {{ factors = {factors}, functions = {functions}, values = {values} }}"
+        );
     }
     let pairs = [
         ("functions", &symbols.functions),

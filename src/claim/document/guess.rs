@@ -1,7 +1,7 @@
 //! What formulas are of which nobody says it: what stands for a symbol, a definition, a law, a claim.
 
 use super::super::check::check;
-use super::super::entry::{Entry, RawEntry, Role};
+use super::super::entry::{Entry, RawEntry, Role, Standing};
 use super::super::fault::{Fault, Text};
 use super::super::implication;
 use super::super::sheet::{RawSheet, Sheet};
@@ -9,11 +9,12 @@ use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::factors::Factors;
 use super::marks::{Marks, OF_COMPLEX, Stated};
 use super::members::Members;
+use super::outline::Outline;
 use super::scan::Formula;
 use crate::tex::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
-    Relation, Symbols, Tree, any, any_side, functions_given, is_constant, is_opaque, names_in, pair_of, read_display,
-    read_name, with_commands,
+    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_constant, is_opaque, names_in, pair_of,
+    read_display, read_name, with_commands,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -25,8 +26,9 @@ pub(super) struct Guessed {
     pub follows_from: Vec<String>,
     /// What its verdict rests on that nobody said.
     pub guessed: Vec<String>,
-    /// True if it may be a law: nothing before speaks of one of its letters, and its sides have different ones.
-    pub may_be_law: bool,
+    /// Its standing where nobody says it: [`Standing::Law`] if nothing before speaks of one of its letters and its sides have
+    /// different ones.
+    pub standing: Standing,
 }
 
 /// A formula of which is asked what it is.
@@ -37,12 +39,21 @@ pub(super) struct Asked<'a> {
     pub tex: &'a str,
     /// True for a link of a chain.
     pub is_link: bool,
+    /// True for the first of a chain.
+    pub is_head: bool,
     /// The role that its author gives it.
     pub role: Option<Role>,
     /// True if he says what it follows from.
     pub is_founded: bool,
     /// True if another row of its display could be a condition on it.
     pub is_doubtful: bool,
+}
+
+/// The letters met so far, and the names that have a value, as they are printed.
+#[derive(Default)]
+struct Outlines {
+    met: BTreeSet<String>,
+    given: BTreeSet<String>,
 }
 
 /// Guesses formula by formula, in the order of the document.
@@ -81,14 +92,20 @@ pub(super) struct Guess {
     numbers: HashMap<String, usize>,
     /// The names met so far.
     met: HashSet<Name>,
+    /// What the outlines of formulas that cannot be read have to do with.
+    outlines: Outlines,
     /// Which formula defines a name.
     definitions: HashMap<Name, String>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
     /// The formulas that give a defined name once more.
     again: HashMap<Name, Vec<String>>,
-    /// The formulas that may be laws, with their names.
-    laws: Vec<(String, BTreeSet<Name>)>,
+    /// The equations so far that a claim may follow from.
+    stated: Vec<Stating>,
+    /// The label of the formula before.
+    before: String,
+    /// Letters of which derivatives are printed.
+    differentiated: BTreeSet<String>,
     /// All names that need a declaration.
     names: BTreeSet<Name>,
     /// The formulas of which nobody says what they are.
@@ -101,14 +118,15 @@ pub(super) struct Guess {
     uses: HashMap<String, BTreeSet<Name>>,
 }
 
-/// Whether an equation holds a derivative or integral of more than what it is taken by, or a differential.
-fn has_dependence(equation: &Equation) -> bool {
+/// Whether an equation holds a derivative or integral of more than what it is taken by, or a differential; `is_value` says that
+/// the first letter has a value in terms of the second.
+fn has_dependence(equation: &Equation, is_value: &dyn Fn(&Name, &Name) -> bool) -> bool {
     let is_d = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.to_string() == "d");
     let mut depends = |node: &Tree| match node {
         Tree::Operation(operation, _) => match &**operation {
             Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } => any(
                 of,
-                &mut |node| matches!(node, Tree::Symbol(name, _) if name != by && !is_constant(name)),
+                &mut |node| matches!(node, Tree::Symbol(name, _) if name != by && !is_constant(name) && !is_value(name, by)),
             ),
             _ => false,
         },
@@ -289,11 +307,99 @@ fn is_opaque_symbol(node: &Tree) -> bool {
 /// The running time of a document that does not say it.
 const TIME: &str = "t";
 
-/// Laws that a claim is taken to follow from, at most.
-const MOST_LAWS: usize = 2;
+/// Equations, with their chains, that a claim is taken to follow from beside definitions, at most.
+const MOST_PREMISES: usize = 2;
+
+/// The equations that are looked at for those, the last ones.
+const MOST_STATED: usize = 300;
+
+/// The longest chain that is taken for one equation.
+const LONGEST_CHAIN: usize = 3;
+
+/// An equation that later claims may follow from.
+struct Stating {
+    /// The labels of the links that it takes, its own last.
+    chain: Vec<String>,
+    left: BTreeSet<Name>,
+    right: BTreeSet<Name>,
+}
+
+impl Stating {
+    fn names(&self) -> impl Iterator<Item = &Name> {
+        self.left.union(&self.right)
+    }
+}
+
+/// The letters of a side that are no numbers.
+fn letters_of(side: &Tree) -> BTreeSet<Name> {
+    let mut names = BTreeSet::new();
+    names_in(side, &mut names);
+    names.retain(|name| !is_constant(name));
+    names
+}
 
 /// Guesses that a verdict tells one by one.
 const MOST_TOLD: usize = 6;
+
+/// What a formula states, as far as it can be read.
+fn stated(formula: &Formula, names: &Names) -> Vec<Equation> {
+    let tex = formula.tex.as_deref().unwrap_or_default();
+    let read = implication::formulas(tex)
+        .into_iter()
+        .map(|part| read_display(&part, names));
+    let read: Result<Vec<Display>, ReadError> = read.collect();
+    let displays = read.unwrap_or_default().into_iter();
+    displays.flat_map(|display| display.equations).collect()
+}
+
+/// The letters of which equations hold derivatives, be it by dots.
+fn differentiated<'a>(equations: impl Iterator<Item = &'a Equation>) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for side in equations.flat_map(|equation| [&equation.left, &equation.right]) {
+        any(side, &mut |node| {
+            match node {
+                Tree::Operation(operation, _) => {
+                    if let Operation::Derivative { of, .. } = &**operation {
+                        found.extend(letters_of(of).iter().map(ToString::to_string));
+                    }
+                }
+                Tree::Symbol(name, _) => {
+                    found.extend(derivative_of(&name.base).map(str::to_owned));
+                    if name.accents.last().is_some_and(|accent| accent.ends_with("dot")) {
+                        let mut plain = name.clone();
+                        plain.accents.pop();
+                        found.insert(plain.to_string());
+                    }
+                }
+                _ => {}
+            }
+            false
+        });
+    }
+    found
+}
+
+/// The letters to which equations give values that hold other letters, as they print.
+fn values_given<'a>(equations: impl Iterator<Item = &'a Equation>) -> BTreeSet<String> {
+    let given = equations.filter_map(|equation| match &equation.left {
+        Tree::Symbol(name, _) if equation.relation == Relation::Equal && !is_opaque(name) => {
+            let letters = letters_of(&equation.right);
+            (!letters.is_empty() && !letters.contains(name) && !letters.iter().any(is_opaque)).then(|| name.to_string())
+        }
+        _ => None,
+    });
+    given.collect()
+}
+
+/// The functions whose definitions hold a term that is not understood, which may depend on the argument.
+fn hidden_functions<'a>(equations: impl Iterator<Item = &'a Equation>, given: &BTreeSet<Name>) -> BTreeSet<Name> {
+    let hides = |equation: &&Equation| any(&equation.right, &mut is_opaque_symbol);
+    let named = equations.filter(hides).filter_map(|equation| match &equation.left {
+        Tree::Call(name, ..) => Some(name),
+        _ => None,
+    });
+    named.filter(|name| given.contains(*name)).cloned().collect()
+}
 
 impl Guess {
     /// `declared` are the symbols that the document declares, `of_the_pair` whether they are those of the impact pair.
@@ -333,24 +439,26 @@ impl Guess {
             .filter(|(name, count)| *count == 1 && name.primes == 0 && !functions.contains(name));
         names.defined = once.map(|(name, _)| name).collect();
         names.defined.sort();
-        let given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
-        let opaque = (!is_strict).then(|| RawOpaque {
-            factors: symbols.parameters().map(|name| name.base.clone()).collect(),
-            functions: given_functions.iter().map(ToString::to_string).collect(),
-        });
-        names.opaque = opaque
-            .clone()
-            .map(|RawOpaque { factors, functions }| Opaque { factors, functions });
-        let stated = |formula: &Formula| {
-            let tex = formula.tex.as_deref().unwrap_or_default();
-            let read = implication::formulas(tex)
-                .into_iter()
-                .map(|part| read_display(&part, &names));
-            let read: Result<Vec<Display>, ReadError> = read.collect();
-            let displays = read.unwrap_or_default().into_iter();
-            displays.flat_map(|display| display.equations).collect()
+        let mut given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
+        let mut values = BTreeSet::new();
+        let (read, opaque) = loop {
+            let opaque = (!is_strict).then(|| RawOpaque {
+                factors: symbols.parameters().map(|name| name.base.clone()).collect(),
+                functions: given_functions.iter().map(ToString::to_string).collect(),
+                values: values.clone(),
+            });
+            names.opaque = opaque.clone().map(Opaque::from);
+            let read: Vec<Vec<Equation>> = formulas.iter().map(|formula| stated(formula, &names)).collect();
+            let hidden = hidden_functions(read.iter().flatten(), &given_functions);
+            let defined = values_given(read.iter().flatten());
+            if hidden.is_empty() && defined.is_subset(&values) {
+                break (read, opaque);
+            }
+            values.extend(defined);
+            given_functions.retain(|name| !hidden.contains(name));
+            names.defined.retain(|name| !hidden.contains(name));
         };
-        let read: Vec<Vec<Equation>> = formulas.iter().map(stated).collect();
+        let differentiated = differentiated(read.iter().flatten());
         let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         let mut constants = Constants::default();
         for equation in read.iter().flatten() {
@@ -419,10 +527,13 @@ impl Guess {
             is_strict,
             symbols,
             met: HashSet::new(),
+            outlines: Outlines::default(),
             definitions: HashMap::new(),
             premises: Vec::new(),
             again: HashMap::new(),
-            laws: Vec::new(),
+            stated: Vec::new(),
+            before: String::new(),
+            differentiated,
             names: BTreeSet::new(),
             guessed: HashMap::new(),
             doubtful: HashSet::new(),
@@ -438,6 +549,7 @@ impl Guess {
             label,
             tex,
             is_link,
+            is_head,
             role,
             is_founded,
             is_doubtful,
@@ -465,7 +577,17 @@ impl Guess {
             }
         }
         let mut below = self.definitions_of(&names);
-        let may_be_law = is_guess && role == Role::Claim && !is_link && self.may_be_law(&equations, &names);
+        // a chain begins with an identity where its first sides have the same letters
+        let begins_alike =
+            is_head && matches!(equations.as_slice(), [one] if letters_of(&one.left) == letters_of(&one.right));
+        let may_be_law =
+            is_guess && role == Role::Claim && !is_link && !begins_alike && self.may_be_law(&equations, &names);
+        let standing = match may_be_law {
+            true => Standing::Law,
+            false if begins_alike => Standing::Link,
+            false if equations.is_empty() => self.outlined(tex),
+            false => Standing::Open,
+        };
         let loose = question_below(&equations);
         // a letter that is given a second value has either
         if let Some(name) = self.second_value(&equations).filter(|_| is_guess && !is_link) {
@@ -480,10 +602,12 @@ impl Guess {
                 && !self.open.contains_key(label)
                 && loose.is_none()
                 && !names.iter().any(|name| self.marks.has(name));
-            match may_be_law {
-                true if is_plain => self.laws.push((label.to_owned(), names.clone())),
-                true => {}
-                false => below.extend(self.laws_of(&names)),
+            if !may_be_law && let [equation] = equations.as_slice() {
+                below.extend(self.premises_of(equation));
+            }
+            // what is derived may be wrong: only what is said is a premise
+            if is_plain && (may_be_law || (is_link && self.may_be_law(&equations, &names))) {
+                self.state(label, &equations, is_link);
             }
         }
         let mut guessed = Vec::new();
@@ -524,15 +648,33 @@ impl Guess {
         if let Some(loose) = loose.filter(|_| is_guess && role == Role::Definition) {
             self.open.insert(label.to_owned(), loose);
         }
+        label.clone_into(&mut self.before);
         self.met.extend(names.iter().cloned());
+        self.outlines.met.extend(names.iter().map(|name| name.base.clone()));
+        self.outlines.given.extend(new.iter().map(ToString::to_string));
         names.retain(|name| role != Role::Definition || Some(name) != new.as_ref());
         self.names.extend(names);
         Guessed {
             role,
             follows_from,
             guessed,
-            may_be_law,
+            standing,
         }
+    }
+
+    /// The standing of a formula that cannot be read, by its outline.
+    fn outlined(&mut self, tex: &str) -> Standing {
+        let outline = Outline::of(tex);
+        let standing = match outline.defined(&self.outlines.given) {
+            Some(name) => {
+                self.outlines.given.insert(name.clone());
+                Standing::Definition
+            }
+            None if outline.is_said(&self.outlines.met) => Standing::Law,
+            None => Standing::Open,
+        };
+        self.outlines.met.extend(outline.all().cloned());
+        standing
     }
 
     /// Returns the defined letter to which an equation gives a value once more.
@@ -567,6 +709,13 @@ impl Guess {
         is_first || (left != right && names.iter().any(|name| !is_constant(name) && is_new(name)))
     }
 
+    /// True if definitions give a letter by another one and by letters of which nothing is a derivative.
+    fn is_value(&self, name: &Name, by: &Name) -> bool {
+        let reached = self.reached(&BTreeSet::from([name.clone()]));
+        let is_constant = |own: &Name| own == name || own == by || !self.differentiated.contains(&own.to_string());
+        self.definitions.contains_key(name) && reached.contains(by) && reached.iter().all(is_constant)
+    }
+
     /// These names, and those by which definitions give them.
     fn reached(&self, names: &BTreeSet<Name>) -> BTreeSet<Name> {
         let mut reached = names.clone();
@@ -582,12 +731,80 @@ impl Guess {
         reached
     }
 
-    /// The last laws so far that share a letter with a formula.
-    fn laws_of(&self, names: &BTreeSet<Name>) -> Vec<String> {
-        let shares =
-            |(_, own): &&(String, BTreeSet<Name>)| own.iter().any(|name| !is_constant(name) && names.contains(name));
-        let near = self.laws.iter().rev().filter(shares).take(MOST_LAWS);
-        near.map(|(label, _)| label.clone()).collect()
+    /// True for an equation that claims may follow from.
+    fn is_stated(&self, label: &str) -> bool {
+        self.stated
+            .iter()
+            .any(|stating| stating.chain.iter().any(|own| own == label))
+    }
+
+    /// Keeps an equation for claims that come later; a link is kept as its chain up to it.
+    fn state(&mut self, label: &str, equations: &[Equation], is_link: bool) {
+        let [equation] = equations else { return };
+        if equation.relation != Relation::Equal {
+            return;
+        }
+        let chain = self
+            .stated
+            .last()
+            .filter(|before| is_link && before.chain.len() < LONGEST_CHAIN);
+        let (mut chain, left) = match chain {
+            Some(before) => (before.chain.clone(), before.left.clone()),
+            None => (Vec::new(), self.leaves(&equation.left)),
+        };
+        chain.push(label.to_owned());
+        let right = self.leaves(&equation.right);
+        self.stated.push(Stating { chain, left, right });
+    }
+
+    /// The letters of a side once definitions are put in.
+    fn leaves(&self, side: &Tree) -> BTreeSet<Name> {
+        let mut names = self.reached(&letters_of(side));
+        names.retain(|name| !is_constant(name) && !self.definitions.contains_key(name));
+        names
+    }
+
+    /// The equations so far that a claim may follow from: those that hold the letters of one of its sides alone, and few others.
+    fn premises_of(&self, claim: &Equation) -> Vec<String> {
+        let (left, right) = (self.leaves(&claim.left), self.leaves(&claim.right));
+        let own: BTreeSet<Name> = left.union(&right).cloned().collect();
+        let is_known = |name: &Name| own.contains(name);
+        let mut wanted: BTreeSet<Name> = left.symmetric_difference(&right).cloned().collect();
+        let mut found: Vec<String> = Vec::new();
+        let mut left_over: Vec<&Stating> = self.stated.iter().rev().take(MOST_STATED).collect();
+        for _ in 0..MOST_PREMISES {
+            let score = |stating: &Stating| {
+                let useful = stating.names().filter(|name| wanted.contains(*name)).count();
+                let foreign = stating
+                    .names()
+                    .filter(|name| !is_known(name) && !wanted.contains(*name))
+                    .count();
+                (2 * useful).saturating_sub(3 * foreign)
+            };
+            // the last of the best, which is the first of them here
+            let best = (0..left_over.len())
+                .rev()
+                .max_by_key(|&at| left_over.get(at).map_or(0, |stating| score(stating)));
+            let Some(at) = best.filter(|&at| left_over.get(at).is_some_and(|stating| score(stating) > 0)) else {
+                break;
+            };
+            let stating = left_over.remove(at);
+            let new: BTreeSet<Name> = stating.names().filter(|name| !own.contains(*name)).cloned().collect();
+            wanted = wanted
+                .into_iter()
+                .filter(|name| !stating.names().any(|own| own == name))
+                .chain(new)
+                .collect();
+            found.extend(
+                stating
+                    .chain
+                    .iter()
+                    .filter(|label| !found.contains(label))
+                    .cloned()
+                    .collect::<Vec<_>>(),
+            );
+        }
+        found
     }
 
     /// Why formula number `at` is not read beside the others: a letter in it has two meanings.
@@ -649,7 +866,7 @@ impl Guess {
         self.read.get(at).into_iter().flatten().find_map(|equation| {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
             let binds = |node: &Tree| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some());
-            if has_dependence(equation)
+            if has_dependence(equation, &|name, by| self.is_value(name, by))
                 || is_some(&mut is_rate)
                 || (is_some(&mut is_opaque_symbol) && is_some(&mut |node| binds(node)))
             {
@@ -686,7 +903,7 @@ impl Guess {
         let label = claim.label.get_ref();
         // laws speak of no marked letters
         let mut labels = labels_below(label, below);
-        labels.retain(|label| !self.laws.iter().any(|(law, _)| law == *label));
+        labels.retain(|label| !self.is_stated(label));
         let is_restricted = labels.iter().any(|label| self.premises.contains(label))
             || !claim.assume.is_empty()
             || !claim.with.is_empty()
@@ -788,11 +1005,13 @@ impl Guess {
     pub fn beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
         let mut guessed: Vec<(&String, String)> = Vec::new();
         for next in labels_below(label, below) {
-            let is_law = self.laws.iter().any(|(law, _)| law == next);
-            let role = self.guessed.get(next).map(|role| match is_law {
-                true => format!("({next}) is a law"),
-                false => format!("({next}) is a {role}"),
-            });
+            let role = self
+                .guessed
+                .get(next)
+                .map(|role| match self.is_stated(next) && *role == Role::Claim {
+                    true => format!("({next}) holds"),
+                    false => format!("({next}) is a {role}"),
+                });
             let doubt = format!("no other row of its display is a condition on ({next})");
             let told = role.into_iter().chain(self.doubtful.contains(next).then_some(doubt));
             guessed.extend(told.map(|told| (next, told)));

@@ -1,6 +1,6 @@
 //! The author's own commands.
 
-use super::tex::{BRACES, Groups, SQUARE, after_blanks, command, group};
+use super::tex::{BRACES, Groups, SQUARE, after_blanks, command, group, words};
 use crate::tex::LONGEST;
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -18,6 +18,38 @@ const REPLACEMENT: usize = 64;
 /// The longest text between a name that `\def` defines and the brace of its body.
 const LONGEST_PARAMETERS: usize = 100;
 
+/// The commands that define commands.
+pub(super) const DEFINING: [&str; 11] = [
+    "newcommand",
+    "renewcommand",
+    "providecommand",
+    "DeclareMathOperator",
+    "DeclarePairedDelimiter",
+    "NewDocumentCommand",
+    "RenewDocumentCommand",
+    "ProvideDocumentCommand",
+    "DeclareDocumentCommand",
+    "def",
+    "gdef",
+];
+
+/// Returns how many arguments xparse's `o m m` stands for, and the default of the first where it may be left out; `None` where it
+/// is more than that.
+fn arguments_of(kinds: &str) -> Option<(usize, Option<String>)> {
+    let kinds = kinds.trim();
+    let (default, rest) = match kinds.chars().next() {
+        Some('o') => (Some(String::new()), kinds.get(1..)?),
+        Some('O') => {
+            let own = group(kinds, 1, BRACES)?;
+            (Some(kinds.get(own.clone())?.to_owned()), kinds.get(own.end + 1..)?)
+        }
+        _ => (None, kinds),
+    };
+    let is_plain = rest.chars().all(|c| c == 'm' || c.is_whitespace());
+    let count = rest.matches('m').count() + usize::from(default.is_some());
+    is_plain.then_some((count, default))
+}
+
 /// A command of the author's.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Macro {
@@ -27,6 +59,8 @@ struct Macro {
     body: String,
     /// True if its body prints none of its parameters.
     is_silent: bool,
+    /// True if a star and a size in square brackets may stand before its argument, which print nothing of their own.
+    is_sized: bool,
     /// The environment that it begins, or ends, if it does nothing else.
     layout: Option<(bool, String)>,
     /// Why it cannot be used.
@@ -92,6 +126,15 @@ impl Macros {
                 (parameters.len() / 2, None, group(text, open, BRACES)?)
             }
             "DeclareMathOperator" => (0, None, group(text, next, BRACES)?),
+            "DeclarePairedDelimiter" => {
+                let left = group(text, next, BRACES)?;
+                (1, None, left.start..group(text, left.end + 1, BRACES)?.end)
+            }
+            "NewDocumentCommand" | "RenewDocumentCommand" | "ProvideDocumentCommand" | "DeclareDocumentCommand" => {
+                let arguments = group(text, next, BRACES)?;
+                let (count, default) = arguments_of(text.get(arguments.clone())?)?;
+                (count, default, group(text, arguments.end + 1, BRACES)?)
+            }
             _ => {
                 let count = group(text, next, SQUARE);
                 let next = count.as_ref().map_or(next, |count| count.end + 1);
@@ -108,12 +151,17 @@ impl Macros {
         let body = text.get(body)?.to_owned();
         let body = match name {
             "DeclareMathOperator" => format!(r"\operatorname{{{body}}}"),
+            "DeclarePairedDelimiter" => {
+                let (left, right) = body.split_once('}')?;
+                format!(r"\left{left}#1\right{}", right.split_once('{')?.1)
+            }
             _ => body,
         };
-        if name != "providecommand" || !self.known.contains_key(&defined) {
+        if !matches!(name, "providecommand" | "ProvideDocumentCommand") || !self.known.contains_key(&defined) {
             let known = Macro {
                 parameters,
                 default,
+                is_sized: name == "DeclarePairedDelimiter",
                 is_silent: parameters > 0 && problem.is_none() && !body.contains('#'),
                 layout: layout(&body).filter(|_| problem.is_none() && parameters == 0),
                 body,
@@ -122,6 +170,17 @@ impl Macros {
             self.known.insert(defined.clone(), known);
         }
         Some((defined, end))
+    }
+
+    /// Reads the definitions of a text that prints nothing, as a preamble; what is none is passed over.
+    pub(super) fn learn(&mut self, text: &str) {
+        let groups = Groups::of(text);
+        let mut read_to = 0;
+        for (word, next) in words(text) {
+            if next >= read_to && DEFINING.contains(&word) {
+                read_to = self.read(text, word, next, &groups, None).map_or(next, |(_, end)| end);
+            }
+        }
     }
 
     /// Returns the end of the arguments of a macro that starts behind byte `next`, if it prints none of them.
@@ -203,6 +262,10 @@ impl Macro {
         group: &dyn Fn(usize, [u8; 2]) -> Option<Range<usize>>,
     ) -> Option<(Vec<Option<Range<usize>>>, usize)> {
         let mut arguments = Vec::new();
+        if self.is_sized {
+            at += usize::from(text.as_bytes().get(at) == Some(&b'*'));
+            at = group(at, SQUARE).map_or(at, |size| size.end + 1);
+        }
         if self.default.is_some() {
             let own = group(at, SQUARE);
             at = own.as_ref().map_or(at, |own| own.end + 1);
@@ -307,6 +370,8 @@ mod tests {
             r"\newcommand{\tangent}[1]{\tan#1}",
             r"\newcommand{\first}[1]{#1}",
             r"\newcommand{\order}[2]{#1\ge#2}",
+            r"\DeclarePairedDelimiter{\size}{\lvert}{\rvert}",
+            r"\NewDocumentCommand{\by}{O{t} m}{\frac{d#2}{d#1}}",
         ]);
         for (tex, wanted) in [
             (r"\vel_k = a", r"\dot{x}_k = a"),
@@ -315,6 +380,11 @@ mod tests {
             (r"\half a", r"\frac{a}{2}"),
             (r"\Tr M", r"\operatorname{Tr} M"),
             (r"\cos\letter x + \cos\id{h x}", r"\cos h x + \cos h x"),
+            (
+                r"\size{x} + \size*[\big]{y}",
+                r"\left\lvert x\right\rvert + \left\lvert y\right\rvert",
+            ),
+            (r"\by{x} + \by[s]{x}", r"\frac{dx}{dt} + \frac{dx}{ds}"),
             (r"\tangent{h} x + \first{\tan}h", r"\tan h x + \tan h"),
             (r"\order{p}{q}", r"p\ge q"),
             (r"\phi x \\ y", r"\varphi x \\ y"),

@@ -3,7 +3,8 @@
 use super::members::{Members, contains_unit, j_is_unit};
 use super::words::is_identity_of_words;
 use crate::tex::{
-    BOLD, Equation, Invariant, Name, Names, Operation, Relation, Tree, any, base_alone, is_constant, letters, names_in,
+    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, base_alone, is_constant, letters,
+    names_in,
 };
 use std::collections::BTreeSet;
 
@@ -13,6 +14,83 @@ pub(super) struct Marks {
     /// Letters whose factors may not change places.
     operators: BTreeSet<Name>,
     complex: BTreeSet<Name>,
+    /// Letters that are divided by, as nobody divides by matrices.
+    numbers: BTreeSet<Name>,
+}
+
+/// Accents of vectors.
+const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
+
+/// Letters by what they are factors of.
+#[derive(Default)]
+struct Factors {
+    /// Capital letters beside a matrix, or beside each other.
+    of_matrices: BTreeSet<Name>,
+    /// Factors of divisors.
+    divisors: BTreeSet<Name>,
+}
+
+impl Factors {
+    /// Notes the letters that one node multiplies and divides by; `matrices` are letters that stand for matrices elsewhere.
+    fn read(&mut self, node: &Tree, matrices: &BTreeSet<String>) {
+        match node {
+            Tree::Product(factors) => {
+                let plain = |factor: &Tree| letter_of_power(factor).filter(|name| is_capital(name)).cloned();
+                let is_of_matrices = |factor: &Tree| match factor {
+                    Tree::Operation(operation, _) => {
+                        matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_))
+                    }
+                    Tree::RealPower(of, exponent, _) => is_sign_of_transpose(of, exponent),
+                    factor => letter_of_power(factor).is_some_and(|name| {
+                        is_typographic(name)
+                            || matrices.contains(&name.base)
+                            || (is_capital(name) && name.subscript.is_empty())
+                    }),
+                };
+                for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
+                    self.of_matrices.extend(plain(first).filter(|_| is_of_matrices(last)));
+                    self.of_matrices.extend(plain(last).filter(|_| is_of_matrices(first)));
+                }
+            }
+            Tree::Quotient(_, below, _) => {
+                let factors = match &**below {
+                    Tree::Product(factors) => factors.as_slice(),
+                    one => std::slice::from_ref(one),
+                };
+                let letters: Vec<Option<&Name>> = factors
+                    .iter()
+                    .filter(|factor| !matches!(factor, Tree::Number(_)))
+                    .map(letter_of_power)
+                    .collect();
+                // `x x` below is `x^T x` where a sign was not read
+                if let Some(letters) = letters.into_iter().collect::<Option<BTreeSet<&Name>>>() {
+                    self.divisors.extend(letters.into_iter().cloned());
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The letter of a factor, to whatever power that is a number.
+fn letter_of_power(factor: &Tree) -> Option<&Name> {
+    match factor {
+        Tree::Symbol(name, _) => Some(name),
+        Tree::Power(of, ..) => letter_of_power(of),
+        _ => None,
+    }
+}
+
+fn is_capital(name: &Name) -> bool {
+    name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase())
+}
+
+/// Returns true for a letter in bold, script, with an arrow or a hat.
+fn is_typographic(name: &Name) -> bool {
+    let mut commands = OF_OPERATORS.iter().chain(&BOLD);
+    commands.any(|command| name.base.starts_with(command))
+        || has_accent(name, &ARROWS)
+        || has_accent(name, &[r"\hat", r"\widehat"])
 }
 
 /// The equations of a claim and of everything that it follows from.
@@ -106,6 +184,10 @@ impl Marks {
         if j_is_unit {
             letters_of_complex.insert("j".to_owned());
         }
+        let bold = Names {
+            opaque: Some(Opaque::default()),
+            ..Names::default()
+        };
         for (tex, equations) in formulas.clone() {
             members.add(tex);
             // i \hbar \dot\psi = H \psi, of which nothing more is known where it cannot be read
@@ -118,7 +200,8 @@ impl Marks {
             }
             letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
             letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
-            let printed = letters(tex, &Names::default()).into_iter();
+            // one letter in bold is a name of its own
+            let printed = letters(tex, &bold).into_iter();
             letters_of_matrices.extend(
                 printed
                     .filter(|(_, shape)| shape.starts_with(r"\mathbf"))
@@ -128,6 +211,13 @@ impl Marks {
         letters_of_matrices.append(&mut members.operators);
         letters_of_complex.append(&mut members.complex);
         let equations: Vec<&Equation> = formulas.flat_map(|(_, equations)| equations).collect();
+        let mut factors = Factors::default();
+        for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+            any(side, &mut |node| {
+                factors.read(node, &letters_of_matrices);
+                false
+            });
+        }
         for equation in &equations {
             marks.read_order(equation);
             for side in [&equation.left, &equation.right] {
@@ -137,10 +227,10 @@ impl Marks {
                         if letters_of_matrices.contains(&name.base) && name.accents.is_empty() {
                             marks.operators.insert(name.clone());
                         }
-                        let is_capital = name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase());
+                        let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
                         let mut commands = OF_OPERATORS.iter().chain(&BOLD);
                         let is_of_operator = commands.any(|command| name.base.starts_with(command));
-                        if (has_matrices && is_capital && !is_constant(name)) || is_of_operator {
+                        if (has_matrices && is_factor && !is_constant(name)) || is_of_operator {
                             marks.operators.insert(name.clone());
                         }
                         if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
@@ -151,6 +241,12 @@ impl Marks {
                 });
             }
         }
+        marks.numbers = factors
+            .divisors
+            .into_iter()
+            .filter(|name| !is_typographic(name))
+            .collect();
+        marks.operators.retain(|name| !marks.numbers.contains(name));
         let is_unit = |name: &Name| unit_is_number && is_constant(name) && name.base == "i";
         // forwards and backwards, as equations refer to those before and behind
         let mut is_forward = true;
@@ -173,16 +269,16 @@ impl Marks {
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
             names_in(side, &mut names);
         }
-        // z_1 is complex where z_2 is
-        let has_marked_sibling = |name: &Name, marked: &BTreeSet<Name>| {
+        // z_1 is complex where z_2 or z is
+        let has_marked_sibling = |name: &Name, marked: &BTreeSet<Name>, is_complex: bool| {
             let is_sibling = |other: &Name| other.base == name.base && other.accents == name.accents;
             !name.subscript.is_empty()
                 && marked
                     .iter()
-                    .any(|other| !other.subscript.is_empty() && is_sibling(other))
+                    .any(|other| (is_complex || !other.subscript.is_empty()) && is_sibling(other))
         };
-        for marked in [&mut marks.operators, &mut marks.complex] {
-            let siblings = names.iter().filter(|name| has_marked_sibling(name, marked));
+        for (marked, is_complex) in [(&mut marks.operators, false), (&mut marks.complex, true)] {
+            let siblings = names.iter().filter(|name| has_marked_sibling(name, marked, is_complex));
             let siblings: Vec<Name> = siblings.cloned().collect();
             marked.extend(siblings);
         }
@@ -195,7 +291,9 @@ impl Marks {
                 .operators
                 .extend(own.into_iter().filter(|name| are_several || is_capital(name)).cloned());
         }
-        marks.operators.retain(|name| !is_constant(name));
+        marks
+            .operators
+            .retain(|name| !is_constant(name) && !marks.numbers.contains(name));
         marks.complex.retain(|name| !is_constant(name));
         marks
     }
@@ -209,7 +307,7 @@ impl Marks {
     fn read(&mut self, node: &Tree) {
         match node {
             Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-                if has_accent(name, &[r"\vec", r"\overrightarrow"]) {
+                if has_accent(name, &ARROWS) {
                     self.operators.insert(name.clone());
                 }
                 let mut plain = name.clone();
@@ -277,6 +375,14 @@ impl Marks {
                 factors.iter().for_each(|factor| self.mark_operators(factor));
             }
         }
+        // a square that is 0, 1 or the letter itself is that of an operator
+        if let Tree::Power(of, 2, _) = &equation.left
+            && matches!(&**of, Tree::Symbol(name, _) if is_capital(name))
+            && (equation.right == **of
+                || matches!(&equation.right, Tree::Number(number) if number.0.is_zero() || number.0.is_one()))
+        {
+            self.mark_operators(of);
+        }
         for pair in reordered(equation) {
             pair.iter().for_each(|factor| self.mark_operators(factor));
         }
@@ -320,8 +426,10 @@ impl Marks {
         }
         for sum in &sums {
             if sum.iter().any(|term| self.is_operator(term)) {
+                let letters = sum.iter().filter_map(|term| letter_alone(term));
+                let numbers = &self.numbers;
                 self.operators
-                    .extend(sum.iter().filter_map(|term| letter_alone(term)).cloned());
+                    .extend(letters.filter(|name| !numbers.contains(name)).cloned());
             }
         }
         for (side, other) in [(&equation.left, &equation.right), (&equation.right, &equation.left)] {
@@ -338,7 +446,13 @@ impl Marks {
         match term {
             Tree::Symbol(name, _) | Tree::Call(name, ..) => self.operators.contains(name),
             Tree::Negate(of) | Tree::Power(of, ..) | Tree::Quotient(of, ..) => self.is_operator(of),
-            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| self.is_operator(part)),
+            Tree::Sum(parts) => parts.iter().any(|part| self.is_operator(part)),
+            // two vectors are multiplied to a number
+            Tree::Product(parts) => {
+                let is_vector = |part: &&Tree| letter_alone(part).is_some_and(|name| has_accent(name, &ARROWS));
+                let vectors = parts.iter().filter(is_vector).count();
+                vectors % 2 == 1 || parts.iter().any(|part| !is_vector(&part) && self.is_operator(part))
+            }
             Tree::Operation(operation, _) => matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_)),
             _ => false,
         }

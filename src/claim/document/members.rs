@@ -67,6 +67,30 @@ impl Members {
             }
         }
         for formula in inline(text) {
+            // [x, p] = i \hbar, D = \frac{d}{dx}
+            let plain: String = formula.chars().filter(|c| !c.is_whitespace()).collect();
+            if plain.starts_with('[') && plain.contains("]=") {
+                members
+                    .operators
+                    .extend(letters(plain.split(']').next().unwrap_or_default()));
+            }
+            if let Some((name, value)) = plain.split_once('=')
+                && [
+                    r"\frac{d}{",
+                    r"\frac{\partial}{",
+                    r"\frac{\mathrm{d}}{",
+                    "d/d",
+                    r"\partial/",
+                ]
+                .iter()
+                .any(|start| value.starts_with(start))
+            {
+                members.operators.extend(letters(name));
+            }
+            // the determinant $|A|$
+            if text.contains("eterminant") && plain.starts_with('|') && plain.ends_with('|') {
+                members.operators.extend(letters(&plain));
+            }
             // z = x + i y, i = \sqrt{-1}
             if let Some((left, right)) = formula.split_once('=')
                 && contains_unit(right)

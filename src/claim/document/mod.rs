@@ -5,9 +5,11 @@ mod comment;
 mod draft;
 mod factors;
 mod guess;
+mod links;
 mod macros;
 mod marks;
 mod members;
+mod outline;
 mod rows;
 mod scan;
 mod tex;
@@ -99,7 +101,15 @@ impl Document {
     /// Takes a document apart; `include` reads the files that it includes. Nothing of it is too wrong to be read: what is, stands
     /// in `faults`.
     pub fn read(text: &str, markup: Markup, include: Include<'_>) -> Self {
-        let scan = Scan::new(text, markup, include);
+        Self::read_below(text, "", markup, include)
+    }
+
+    /// Takes a document apart, as [`Document::read`] does, of which a `preamble` elsewhere defines macros.
+    pub fn read_below(text: &str, preamble: &str, markup: Markup, include: Include<'_>) -> Self {
+        let mut scan = Scan::new(text, preamble, markup, include);
+        if scan.comments.is_empty() {
+            scan.formulas = links::parted(scan.formulas, &scan.text);
+        }
         let place = |at: usize| Spanned::new(at..at, String::new());
         let lines = Text::of_files(&scan.text, &scan.files);
         let source = |at: usize| Source::new(&lines, &place(at));
@@ -504,6 +514,7 @@ fn entries(
             label,
             tex: &tex,
             is_link: formula.is_link,
+            is_head: formulas.get(at + 1).is_some_and(|next| next.is_link),
             role,
             is_founded: own.follows_from.is_some(),
             is_doubtful,
@@ -527,8 +538,7 @@ fn entries(
             _ if !is_plain || role.is_some() => Standing::Said,
             Role::Definition => Standing::Definition,
             _ if formula.is_link => Standing::Link,
-            _ if guessed.may_be_law => Standing::Law,
-            _ => Standing::Open,
+            _ => guessed.standing,
         };
         raw.equation.push(RawEntry {
             label: here(label.clone()),

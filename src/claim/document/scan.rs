@@ -2,7 +2,7 @@
 
 use super::super::fault::File;
 use super::comment::{is_misspelt, is_of_document};
-use super::macros::Macros;
+use super::macros::{DEFINING, Macros};
 use super::rows::{Row, blank, rows};
 use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
 use std::collections::{HashMap, HashSet, VecDeque};
@@ -177,21 +177,7 @@ const LAYOUT: [&str; 12] = [
 ];
 
 /// What a conditional must not decide, beside displays and counters.
-const DECIDED: [&str; 13] = [
-    "[",
-    "label",
-    "tag",
-    "newcommand",
-    "renewcommand",
-    "providecommand",
-    "DeclareMathOperator",
-    "def",
-    "gdef",
-    "input",
-    "include",
-    "subfile",
-    "appendix",
-];
+const DECIDED: [&str; 7] = ["[", "label", "tag", "input", "include", "subfile", "appendix"];
 
 /// Conditionals whose branches stand in braces.
 const BRACED: [&str; 10] = [
@@ -281,8 +267,8 @@ pub(super) struct Scan<'a> {
 }
 
 impl<'a> Scan<'a> {
-    /// Reads a document and what it includes.
-    pub fn new(text: &str, markup: Markup, include: Include<'a>) -> Self {
+    /// Reads a document and what it includes; `preamble` defines macros and prints nothing.
+    pub fn new(text: &str, preamble: &str, markup: Markup, include: Include<'a>) -> Self {
         let mut scan = Self {
             markup,
             include,
@@ -318,6 +304,7 @@ impl<'a> Scan<'a> {
             open: Vec::new(),
             ended: false,
         };
+        scan.macros.learn(preamble);
         scan.file(None, text);
         if let Some((at, _)) = scan.faults.get(MOST_FAULTS).cloned() {
             let more = scan.faults.len() - MOST_FAULTS;
@@ -762,9 +749,7 @@ impl<'a> Scan<'a> {
                 });
                 close.unwrap_or(next)
             }
-            "newcommand" | "renewcommand" | "providecommand" | "DeclareMathOperator" | "def" | "gdef" => {
-                self.definition(here, &name, next)
-            }
+            _ if DEFINING.contains(&name.as_str()) => self.definition(here, &name, next),
             "newenvironment" | "renewenvironment" => self.own_environment(next),
             "excludecomment" => {
                 let own = self.group(next, BRACES);
@@ -1052,7 +1037,9 @@ impl<'a> Scan<'a> {
             (word == "begin" && opens()) || is_counter(own, word, next) || self.macros.layout(word).is_some()
         };
         let has_count = words(own).any(counts);
-        let matters = has_count || own.contains("$$") || words(own).any(|(word, _)| DECIDED.contains(&word));
+        let matters = has_count
+            || own.contains("$$")
+            || words(own).any(|(word, _)| DECIDED.contains(&word) || DEFINING.contains(&word));
         if here >= self.unknown_until && matters {
             let problem = format!(r"nobody says which branch of `\{name}` prints: write `\iftrue` or `\iffalse`");
             self.faults.push((here, problem));
