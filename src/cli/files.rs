@@ -2,13 +2,14 @@
 
 use super::note;
 use super::source::{DOCUMENT_AT_MOST, Source};
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// How many directories above that of a document its project may begin, if no version control says where.
 const HIGHEST: usize = 3;
 
-/// Files that are looked at in one directory for one that includes the document.
+/// Files that are looked at in one directory for one that includes the document, and files of a preamble.
 const MOST_FILES: usize = 200;
 
 /// The longest file that is looked at so, and the longest preamble, in bytes.
@@ -19,6 +20,13 @@ const DEEPEST: usize = 4;
 
 /// What a preamble takes in: macros of the author's own are looked for in the files that it names.
 const TAKING_IN: [&str; 4] = [r"\input", r"\include", r"\usepackage", r"\RequirePackage"];
+
+/// What defines macros, and the files that it was taken from, each once.
+#[derive(Default)]
+struct Preamble {
+    text: String,
+    files: HashSet<PathBuf>,
+}
 
 /// The directories of a document and its project.
 pub struct Files {
@@ -38,7 +46,7 @@ impl Files {
         let top = ancestors.last().cloned().unwrap_or_else(|| own.clone());
         let mut files = Self { own, top, root: None };
         files.root = match declared_root(text) {
-            Some(name) => files.find(&files.own, name),
+            Some(name) => files.find(&files.own, name).filter(|path| files.holds(path)),
             None if is_root(text) || path.extension().is_none_or(|extension| extension != "tex") => None,
             None => ancestors.iter().find_map(|directory| root_in(directory, path)),
         };
@@ -58,8 +66,7 @@ impl Files {
             .chain(&root)
             .find_map(|directory| self.find(directory, name))
             .ok_or("there is no such file")?;
-        let place = |path: &Path| path.canonicalize().map_err(|error| error.to_string());
-        if !place(&path)?.starts_with(place(&self.top)?) {
+        if !self.holds(&path) {
             return Err(format!("it leads out of {}", self.top.display()));
         }
         let text = Source::File(path).read_document(DOCUMENT_AT_MOST);
@@ -68,7 +75,7 @@ impl Files {
 
     /// What defines macros before the document begins: the preamble of the one that includes it, and packages that lie beside either.
     pub fn preamble(&self, text: &str) -> String {
-        let mut preamble = String::new();
+        let mut preamble = Preamble::default();
         if let Some(root) = &self.root
             && let Some(own) = text_of(root)
         {
@@ -84,30 +91,37 @@ impl Files {
         for (_, name) in packages {
             self.take_file(name, &self.own, DEEPEST, &mut preamble);
         }
-        preamble
+        preamble.text
     }
 
     /// Appends a text without comments, and the files that it takes in.
-    fn take(&self, text: &str, directory: &Path, depth: usize, preamble: &mut String) {
+    fn take(&self, text: &str, directory: &Path, depth: usize, preamble: &mut Preamble) {
         let plain: Vec<&str> = text.lines().map(without_comment).collect();
         let plain = plain.join("\n");
-        if preamble.len() + plain.len() > LONGEST {
+        if preamble.text.len() + plain.len() > LONGEST {
             return;
         }
         for (_, name) in taken_in(&plain) {
             self.take_file(name, directory, depth, preamble);
         }
-        preamble.push_str(&plain);
-        preamble.push('\n');
+        preamble.text.push_str(&plain);
+        preamble.text.push('\n');
     }
 
-    fn take_file(&self, name: &str, directory: &Path, depth: usize, preamble: &mut String) {
+    fn take_file(&self, name: &str, directory: &Path, depth: usize, preamble: &mut Preamble) {
         let Some(depth) = depth.checked_sub(1) else { return };
         for name in name.split(',').map(str::trim).filter(|name| !name.is_empty()) {
-            if let Some(text) = self.find(directory, name).and_then(|path| text_of(&path)) {
+            let path = self.find(directory, name).filter(|path| self.holds(path));
+            let new = path.filter(|path| preamble.files.len() < MOST_FILES && preamble.files.insert(path.clone()));
+            if let Some(text) = new.and_then(|path| text_of(&path)) {
                 self.take(&text, directory, depth, preamble);
             }
         }
+    }
+
+    /// True for a file of the project.
+    fn holds(&self, path: &Path) -> bool {
+        matches!((path.canonicalize(), self.top.canonicalize()), (Ok(path), Ok(top)) if path.starts_with(&top))
     }
 
     /// The file of a name, with or without its extension.

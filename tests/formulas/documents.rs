@@ -1798,3 +1798,16 @@ fn the_first_link_of_a_chain_may_be_suspect_and_what_may_be_meant_otherwise_is_n
         assert_eq!(ran.stdout.contains(",suspect,"), is_suspect, "{chain}: {}", ran.stdout);
     }
 }
+
+#[test]
+fn a_root_file_that_includes_itself_many_times_is_read_once() {
+    let scratch = scratch("circles");
+    let inputs = "\\input{main}\n".repeat(2000);
+    scratch.file(
+        "main.tex",
+        &format!("\\newcommand{{\\half}}{{\\frac{{1}}{{2}}}}\n{inputs}\\begin{{document}}\n\\input{{one}}\n"),
+    );
+    scratch.file("one.tex", "\\[ \\half a + \\half a = a \\]\n");
+    let ran = scratch.run(&["audit", "one.tex", "--format", "csv"]);
+    assert!(ran.stdout.contains(",proved,"), "{}{}", ran.stdout, ran.stderr);
+}
