@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How many directories above that of a document its project may begin, if no version control says where.
+/// The most directories between that of a document and that of its project, if no version control says where it begins.
 const HIGHEST: usize = 3;
 
 /// Files that are looked at in one directory for one that includes the document, and files of a preamble.
@@ -15,13 +15,13 @@ const MOST_FILES: usize = 200;
 /// The longest file that is looked at so, and the longest preamble, in bytes.
 const LONGEST: usize = 1 << 20;
 
-/// How deep the files of a preamble may lie in each other.
+/// The most files of a preamble that may lie in each other.
 const DEEPEST: usize = 4;
 
-/// What a preamble takes in: macros of the author's own are looked for in the files that it names.
+/// Commands that name files in which a preamble has macros of the author's own.
 const TAKING_IN: [&str; 4] = [r"\input", r"\include", r"\usepackage", r"\RequirePackage"];
 
-/// What defines macros, and the files that it was taken from, each once.
+/// The text that defines macros, and the files that it was taken from, each once.
 #[derive(Default)]
 struct Preamble {
     text: String,
@@ -73,7 +73,8 @@ impl Files {
         text.map_err(|error| error.problem.to_string())
     }
 
-    /// What defines macros before the document begins: the preamble of the one that includes it, and packages that lie beside either.
+    /// Returns the text that defines macros before the document begins: the preamble of the one that includes it, and packages that
+    /// lie beside either.
     pub fn preamble(&self, text: &str) -> String {
         let mut preamble = Preamble::default();
         if let Some(root) = &self.root
@@ -159,7 +160,7 @@ fn text_of(path: &Path) -> Option<String> {
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// What a line says in front of its comment.
+/// Returns a line without its comment.
 fn without_comment(line: &str) -> &str {
     let end = line.match_indices('%').map(|(at, _)| at).find(|&at| {
         let before = line.get(..at).unwrap_or_default();

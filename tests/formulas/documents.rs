@@ -1805,7 +1805,7 @@ fn a_root_file_that_includes_itself_many_times_is_read_once() {
     let inputs = "\\input{main}\n".repeat(2000);
     scratch.file(
         "main.tex",
-        &format!("\\newcommand{{\\half}}{{\\frac{{1}}{{2}}}}\n{inputs}\\begin{{document}}\n\\input{{one}}\n"),
+        format!("\\newcommand{{\\half}}{{\\frac{{1}}{{2}}}}\n{inputs}\\begin{{document}}\n\\input{{one}}\n"),
     );
     scratch.file("one.tex", "\\[ \\half a + \\half a = a \\]\n");
     let ran = scratch.run(&["audit", "one.tex", "--format", "csv"]);

@@ -92,7 +92,7 @@ pub(super) struct Guess {
     numbers: HashMap<String, usize>,
     /// The names met so far.
     met: HashSet<Name>,
-    /// What the outlines of formulas that cannot be read have to do with.
+    /// The letters and values that outlines of unread formulas are compared with.
     outlines: Outlines,
     /// Which formula defines a name.
     definitions: HashMap<Name, String>,
@@ -118,8 +118,8 @@ pub(super) struct Guess {
     uses: HashMap<String, BTreeSet<Name>>,
 }
 
-/// Whether an equation holds a derivative or integral of more than what it is taken by, or a differential; `is_value` says that
-/// the first letter has a value in terms of the second.
+/// Returns true if an equation holds a differential, or a derivative or integral of other letters than the one it is taken by;
+/// `is_value` says that the first letter has a value in terms of the second.
 fn has_dependence(equation: &Equation, is_value: &dyn Fn(&Name, &Name) -> bool) -> bool {
     let is_d = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.to_string() == "d");
     let mut depends = |node: &Tree| match node {
@@ -310,6 +310,9 @@ const TIME: &str = "t";
 /// Equations, with their chains, that a claim is taken to follow from beside definitions, at most.
 const MOST_PREMISES: usize = 2;
 
+/// Readings of all formulas for values and functions that others depend on; after them no function is taken to be given.
+const MOST_ROUNDS: usize = 5;
+
 /// The equations that are looked at for those, the last ones.
 const MOST_STATED: usize = 300;
 
@@ -341,7 +344,7 @@ fn letters_of(side: &Tree) -> BTreeSet<Name> {
 /// Guesses that a verdict tells one by one.
 const MOST_TOLD: usize = 6;
 
-/// What a formula states, as far as it can be read.
+/// Returns the equations of a formula, none if it cannot be read.
 fn stated(formula: &Formula, names: &Names) -> Vec<Equation> {
     let tex = formula.tex.as_deref().unwrap_or_default();
     let read = implication::formulas(tex)
@@ -440,7 +443,7 @@ impl Guess {
         names.defined = once.map(|(name, _)| name).collect();
         names.defined.sort();
         let mut given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
-        let mut values = BTreeSet::new();
+        let (mut values, mut rounds) = (BTreeSet::new(), MOST_ROUNDS);
         let (read, opaque) = loop {
             let opaque = (!is_strict).then(|| RawOpaque {
                 factors: symbols.parameters().map(|name| name.base.clone()).collect(),
@@ -451,12 +454,13 @@ impl Guess {
             let read: Vec<Vec<Equation>> = formulas.iter().map(|formula| stated(formula, &names)).collect();
             let hidden = hidden_functions(read.iter().flatten(), &given_functions);
             let defined = values_given(read.iter().flatten());
-            if hidden.is_empty() && defined.is_subset(&values) {
+            if hidden.is_empty() && (rounds == 0 || defined.is_subset(&values)) {
                 break (read, opaque);
             }
             values.extend(defined);
-            given_functions.retain(|name| !hidden.contains(name));
-            names.defined.retain(|name| !hidden.contains(name));
+            given_functions.retain(|name| rounds > 0 && !hidden.contains(name));
+            names.defined.retain(|name| given_functions.contains(name));
+            rounds = rounds.saturating_sub(1);
         };
         let differentiated = differentiated(read.iter().flatten());
         let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
@@ -744,10 +748,9 @@ impl Guess {
         if equation.relation != Relation::Equal {
             return;
         }
-        let chain = self
-            .stated
-            .last()
-            .filter(|before| is_link && before.chain.len() < LONGEST_CHAIN);
+        let is_before =
+            |stating: &&Stating| stating.chain.last() == Some(&self.before) && stating.chain.len() < LONGEST_CHAIN;
+        let chain = self.stated.last().filter(|_| is_link).filter(is_before);
         let (mut chain, left) = match chain {
             Some(before) => (before.chain.clone(), before.left.clone()),
             None => (Vec::new(), self.leaves(&equation.left)),
@@ -768,7 +771,6 @@ impl Guess {
     fn premises_of(&self, claim: &Equation) -> Vec<String> {
         let (left, right) = (self.leaves(&claim.left), self.leaves(&claim.right));
         let own: BTreeSet<Name> = left.union(&right).cloned().collect();
-        let is_known = |name: &Name| own.contains(name);
         let mut wanted: BTreeSet<Name> = left.symmetric_difference(&right).cloned().collect();
         let mut found: Vec<String> = Vec::new();
         let mut left_over: Vec<&Stating> = self.stated.iter().rev().take(MOST_STATED).collect();
@@ -777,7 +779,7 @@ impl Guess {
                 let useful = stating.names().filter(|name| wanted.contains(*name)).count();
                 let foreign = stating
                     .names()
-                    .filter(|name| !is_known(name) && !wanted.contains(*name))
+                    .filter(|name| !own.contains(*name) && !wanted.contains(*name))
                     .count();
                 (2 * useful).saturating_sub(3 * foreign)
             };

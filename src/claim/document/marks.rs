@@ -62,7 +62,6 @@ impl Factors {
                     .filter(|factor| !matches!(factor, Tree::Number(_)))
                     .map(letter_of_power)
                     .collect();
-                // `x x` below is `x^T x` where a sign was not read
                 if let Some(letters) = letters.into_iter().collect::<Option<BTreeSet<&Name>>>() {
                     self.divisors.extend(letters.into_iter().cloned());
                 }
@@ -85,12 +84,15 @@ fn is_capital(name: &Name) -> bool {
     name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase())
 }
 
-/// Returns true for a letter in bold, script, with an arrow or a hat.
-fn is_typographic(name: &Name) -> bool {
+/// Returns true for a letter in bold or script, and for a term that an operator begins.
+fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
     commands.any(|command| name.base.starts_with(command))
-        || has_accent(name, &ARROWS)
-        || has_accent(name, &[r"\hat", r"\widehat"])
+}
+
+/// Returns true for a letter in bold, script, with an arrow or a hat.
+fn is_typographic(name: &Name) -> bool {
+    is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &[r"\hat", r"\widehat"])
 }
 
 /// The equations of a claim and of everything that it follows from.
@@ -228,9 +230,7 @@ impl Marks {
                             marks.operators.insert(name.clone());
                         }
                         let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
-                        let mut commands = OF_OPERATORS.iter().chain(&BOLD);
-                        let is_of_operator = commands.any(|command| name.base.starts_with(command));
-                        if (has_matrices && is_factor && !is_constant(name)) || is_of_operator {
+                        if (has_matrices && is_factor && !is_constant(name)) || is_set_apart(name) {
                             marks.operators.insert(name.clone());
                         }
                         if letters_of_complex.contains(&name.base) && name.accents.is_empty() {

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 pub(super) struct Outline {
     /// The letters before its first relation, and those behind it.
     letters: [BTreeSet<String>; 2],
-    /// What stands before its first relation, without blanks, where that is one letter with its marks, or a call.
+    /// The left side of its first relation, without blanks, if that is one letter with its marks, or a call.
     name: Option<String>,
     /// True if its first relation makes both sides equal or orders them.
     compares: bool,
@@ -120,7 +120,7 @@ fn is_name(text: &str) -> bool {
     heads == 1
 }
 
-/// Where the group that opens at a byte ends.
+/// Returns the end of the group that opens at a byte.
 fn closing(text: &str, at: usize) -> usize {
     super::tex::group(text, at, super::tex::BRACES).map_or(text.len(), |own| own.end + 1)
 }
