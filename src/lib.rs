@@ -17,26 +17,17 @@
 #[doc = include_str!("../doc/library.md")]
 struct Guide;
 
-pub mod input;
+pub use claims as claim;
 pub use dynamics::{impact, model, orbit};
 pub use numbers as number;
+pub use prover as prove;
+pub use prover::{algebra, checksum};
+pub use scenes::{input, reference, scene};
 pub use stop;
 pub use texmath as tex;
 pub use texmath::markup;
+pub use {accuracy, evidence, kernel};
 
-pub mod checksum;
-
-// Formulas and their proofs, and what holds formulas and numbers against each other.
-pub mod algebra;
-pub mod claim;
-pub mod evidence;
-pub mod kernel;
-pub mod prove;
-pub mod reference;
-pub mod repair;
-
-// Scenes, tables, commands.
-pub mod accuracy;
 pub mod cli;
+pub mod repair;
 pub mod report;
-pub mod scene;

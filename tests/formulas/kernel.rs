@@ -13,10 +13,10 @@ mod forge;
 mod refusals;
 mod rules;
 
-/// The code of each file of src, without comments and tests, by its path.
+/// The code of each file of src and of the crates, without comments and tests, by its path.
 fn code() -> Vec<(String, String)> {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let (mut open, mut found) = (vec![root.clone()], Vec::new());
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut open, mut found) = (vec![root.join("src"), root.join("crates")], Vec::new());
     while let Some(path) = open.pop() {
         if path.is_dir() {
             open.extend(std::fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
@@ -24,7 +24,7 @@ fn code() -> Vec<(String, String)> {
             let text = std::fs::read_to_string(&path).unwrap();
             let text = text.split("\n#[cfg(test)]\nmod ").next().unwrap_or_default();
             let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-            let name = path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");
+            let name = path.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");
             found.push((name, lines.collect::<Vec<_>>().join("\n")));
         }
     }
@@ -36,7 +36,10 @@ fn code() -> Vec<(String, String)> {
 #[test]
 fn the_kernel_makes_its_values_in_one_place_each() {
     let code = code();
-    let (_, text) = code.iter().find(|(name, _)| name == "kernel/verdict.rs").unwrap();
+    let (_, text) = code
+        .iter()
+        .find(|(name, _)| name == "crates/kernel/src/verdict.rs")
+        .unwrap();
     let is_made = |line: &&str| {
         ["Proved {", "Refuted {"].iter().any(|word| line.contains(word))
             && !["struct", "impl", "enum"].iter().any(|before| line.contains(before))
@@ -56,29 +59,33 @@ fn the_kernel_makes_its_values_in_one_place_each() {
 
 /// The functions that name one of the two verdicts as a value, and why they may.
 const MAKERS: [(&str, &str, &str); 6] = [
-    ("claim/document/comment.rs", "verdict", "a verdict that is expected"),
     (
-        "prove/decision.rs",
+        "crates/claims/src/document/comment.rs",
+        "verdict",
+        "a verdict that is expected",
+    ),
+    (
+        "crates/prover/src/decision.rs",
         "accept_proofs",
         "takes what the kernel accepted of each question",
     ),
     (
-        "prove/decision.rs",
+        "crates/prover/src/decision.rs",
         "accept_refutation",
         "takes what the kernel accepted",
     ),
     (
-        "prove/decision.rs",
+        "crates/prover/src/decision.rs",
         "conclude",
         "takes decisions on goals, which are all proved",
     ),
     (
-        "prove/script.rs",
+        "crates/prover/src/script.rs",
         "verdict",
         "the kind of what was found, which is compared with a verdict",
     ),
     (
-        "repair/search.rs",
+        "src/repair/search.rs",
         "tried",
         "the verdict that evidence is looked for against",
     ),
@@ -94,7 +101,7 @@ fn makers(file: &str, text: &str) -> Vec<(String, String)> {
         {
             function = after.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
         }
-        let is_own = |path: &str| path != "Self::" || file == "claim/verdict.rs";
+        let is_own = |path: &str| path != "Self::" || file == "crates/claims/src/verdict.rs";
         for path in ["Verdict::", "Self::"].into_iter().filter(|path| is_own(path)) {
             for (at, _) in line.match_indices(path) {
                 let (before, after) = (line[..at].trim_end(), &line[at + path.len()..]);
@@ -112,7 +119,7 @@ fn makers(file: &str, text: &str) -> Vec<(String, String)> {
         }
         let set = line.split_once(".verdict = ").or_else(|| {
             let in_literal = line.split_once("verdict: ").filter(|(before, _)| before.is_empty());
-            in_literal.filter(|_| line.ends_with(',') && file.starts_with("prove/"))
+            in_literal.filter(|_| line.ends_with(',') && file.starts_with("crates/prover/"))
         });
         let is_open = |value: &str| {
             ["Undecided", "Unread", "Given", "Suspect"]
@@ -144,7 +151,7 @@ fn only_the_verdicts_of_the_kernel_are_verdicts() {
 
 #[test]
 fn a_verdict_of_any_other_place_is_found() {
-    let of = |line: &str| makers("prove/mod.rs", &format!("fn thin() {{\n    {line}\n}}")).len();
+    let of = |line: &str| makers("crates/prover/src/lib.rs", &format!("fn thin() {{\n    {line}\n}}")).len();
     for line in [
         "decision.verdict = Verdict::Proved;",
         "verdict: Verdict::Refuted,",

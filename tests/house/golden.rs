@@ -31,7 +31,7 @@ fn names(text: &str, path: &str) -> bool {
 
 #[cfg(test)]
 fn unused(path: &str, user: &str) -> bool {
-    !check(&[path.to_owned()], &[File::new("src/claim/paper.rs", user)]).is_empty()
+    !check(&[path.to_owned()], &[File::new("crates/claims/src/paper.rs", user)]).is_empty()
 }
 
 #[test]

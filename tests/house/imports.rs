@@ -5,39 +5,18 @@
 use super::File;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The folders of `src`, and the crates under the names that `src/lib.rs` gives them, that each may use besides itself. The
-/// formulas know no ball; what follows `reference` may use both and what stands before it. What the crates use is Cargo's.
+/// The folders of `src`, and the crates under the names that `src/lib.rs` gives them, that each may use besides itself. What
+/// the crates use is Cargo's, and [`CRATES`] says.
 fn allowed(folder: &str) -> Option<&'static [&'static str]> {
     Some(match folder {
-        "checksum" | "input" => &[],
-        "claim" => &["number", "tex"],
-        // What accepts a proof shares nothing with what looks for it.
-        "kernel" => &["number", "tex", "claim"],
-        "algebra" => &["number", "kernel"],
-        "prove" => &["number", "tex", "claim", "kernel", "algebra"],
-        "reference" => &BOTH,
-        // Proof and evidence share nothing: an error of the one must not repeat itself in the other.
-        "evidence" => &["number", "tex", "claim", "model", "impact", "orbit", "reference"],
         // A repair is sieved by evidence and accepted by a proof.
-        "repair" | "accuracy" => &LATER[..10],
-        "scene" => &[
-            "number",
-            "tex",
-            "claim",
-            "model",
-            "impact",
-            "orbit",
-            "reference",
-            "evidence",
-            "accuracy",
-        ],
+        "repair" => &["number", "tex", "claim", "evidence", "prove"],
         "report" => &LATER[..13],
         "cli" => &LATER,
         _ => return None,
     })
 }
 
-const BOTH: [&str; 6] = ["number", "tex", "claim", "model", "impact", "orbit"];
 const LATER: [&str; 14] = [
     "number",
     "tex",
@@ -49,11 +28,38 @@ const LATER: [&str; 14] = [
     "prove",
     "reference",
     "evidence",
-    "repair",
     "accuracy",
     "scene",
+    "repair",
     "report",
 ];
+
+/// The crates of ours that each may depend on. The formulas know no ball, but for evidence, which follows motions. What
+/// accepts a proof shares nothing with what looks for it, nor proof with evidence: an error of the one must not repeat itself
+/// in the other.
+pub const CRATES: [(&str, &[&str]); 10] = [
+    ("stop", &[]),
+    ("numbers", &[]),
+    ("texmath", &["numbers"]),
+    ("dynamics", &["numbers", "stop"]),
+    ("claims", &["numbers", "texmath"]),
+    ("kernel", &["claims", "numbers", "texmath"]),
+    ("prover", &["claims", "kernel", "numbers", "stop", "texmath"]),
+    ("evidence", &["claims", "dynamics", "numbers", "texmath"]),
+    ("scenes", &["dynamics", "numbers", "stop", "texmath"]),
+    (
+        "accuracy",
+        &["claims", "dynamics", "numbers", "scenes", "stop", "texmath"],
+    ),
+];
+
+/// The crates of ours that a Cargo.toml names.
+pub fn dependencies(manifest: &str) -> BTreeSet<String> {
+    let lines = manifest.lines().filter_map(|line| line.strip_prefix("vibro-"));
+    lines
+        .filter_map(|line| Some(line.split_once(['.', ' '])?.0.to_owned()))
+        .collect()
+}
 
 /// The code of a file without its comments and its tests.
 fn code(file: &File) -> String {
@@ -63,14 +69,15 @@ fn code(file: &File) -> String {
     code.join("\n")
 }
 
-/// The names of the modules that lead to a file or a `mod.rs`.
+/// The names of the modules that lead to a file, a `mod.rs` or the root of a crate, which has none.
 fn module(file: &File) -> Vec<String> {
     let path = file.path.trim_start_matches("src/").trim_end_matches(".rs");
-    path.trim_end_matches("/mod").split('/').map(str::to_owned).collect()
+    let names = path.trim_end_matches("/mod").split('/').map(str::to_owned);
+    names.filter(|name| name != "lib").collect()
 }
 
 fn is_mod(file: &File) -> bool {
-    file.path.ends_with("/mod.rs")
+    file.path.ends_with("/mod.rs") || file.path == "src/lib.rs"
 }
 
 /// Adds the paths behind `path` of a tree such as `a::{b, c::d as e}`, each with the name that it has from there on; what
@@ -140,10 +147,9 @@ fn exports(file: &File) -> impl Iterator<Item = (String, Vec<String>)> {
     for (at, word) in text.match_indices("use ") {
         read_tree(&text[at + word.len()..], module.clone(), &mut found);
     }
-    let folder = module.join("/");
     found
         .into_iter()
-        .map(move |(path, name)| (format!("{folder}/{name}"), path))
+        .map(move |(path, name)| ([module.clone(), vec![name]].concat().join("/"), path))
 }
 
 /// What is wrong with what files use of other folders.
@@ -247,17 +253,23 @@ fn complaints(path: &str, text: &str) -> Vec<String> {
 }
 
 #[test]
+fn a_dependency_is_found_whichever_way_it_is_written() {
+    let found = dependencies(
+        "name = \"vibro-claims\"\nvibro-kernel.workspace = true\nvibro-stop = { path = \"../stop\" }\nserde = \"1\"\n",
+    );
+    assert_eq!(found, BTreeSet::from(["kernel".to_owned(), "stop".to_owned()]));
+}
+
+#[test]
 fn a_use_against_the_stack_is_found() {
     for (path, text) in [
-        ("src/algebra/poly.rs", "fn f(x: &crate::tex::Tree) {}"),
-        ("src/claim/proof.rs", "use super::super::impact;"),
-        ("src/claim/mod.rs", "use super::impact::next;"),
-        ("src/claim/deep/er.rs", "use super::super::super::model::X;"),
-        ("src/evidence/dual.rs", "use crate::kernel::Term;"),
-        ("src/kernel/term.rs", "use crate::prove::Decision;"),
+        ("src/repair/poly.rs", "fn f(x: &crate::report::Table) {}"),
+        ("src/repair/proof.rs", "use super::super::scene;"),
+        ("src/repair/mod.rs", "use super::kernel::next;"),
+        ("src/repair/deep/er.rs", "use super::super::super::kernel::X;"),
         ("src/report/csv.rs", "use crate::cli::Exit;"),
-        ("src/claim/proof.rs", "use crate::{number::Field, model::Motion};"),
-        ("src/claim/read.rs", "use crate::*;"),
+        ("src/repair/proof.rs", "use crate::{number::Field, kernel::Term};"),
+        ("src/report/read.rs", "use crate::*;"),
         ("src/util/mod.rs", ""),
     ] {
         assert_eq!(complaints(path, text).len(), 1, "{path}: {text}");
@@ -268,18 +280,18 @@ fn a_use_against_the_stack_is_found() {
 fn a_use_along_the_stack_is_left_alone() {
     for (path, text) in [
         (
-            "src/algebra/poly.rs",
-            "use crate::number::Field; use super::*; use crate::algebra::x;",
+            "src/repair/poly.rs",
+            "use crate::number::Field; use super::*; use crate::repair::x;",
         ),
         (
-            "src/claim/proof.rs",
-            "// crate::model\nuse super::Sheet; pub(crate) fn f() {}",
+            "src/repair/proof.rs",
+            "// crate::kernel\nuse super::Sheet; pub(crate) fn f() {}",
         ),
         (
-            "src/claim/deep/er.rs",
-            "use super::super::Sheet;\n#[cfg(test)]\nmod tests { use crate::model::X; }",
+            "src/repair/deep/er.rs",
+            "use super::super::Sheet;\n#[cfg(test)]\nmod tests { use crate::kernel::X; }",
         ),
-        ("src/kernel/mod.rs", "macro_rules! m { () => { $crate::prove::x } }"),
+        ("src/repair/mod.rs", "macro_rules! m { () => { $crate::prove::x } }"),
         ("src/lib.rs", "pub use crate::claim::Sheet;"),
     ] {
         assert_eq!(complaints(path, text), [""; 0], "{path}: {text}");
@@ -324,6 +336,14 @@ fn circles_of_files_and_of_folders_are_found_and_nothing_else_is() {
             "{text}"
         );
     }
+    assert_eq!(
+        found(&[
+            ("src/lib.rs", "mod find;\nmod solve;\npub use find::Found;"),
+            ("src/find.rs", "use crate::solve::Solve;"),
+            ("src/solve.rs", "use super::Found;"),
+        ]),
+        1
+    );
     assert_eq!(
         found(&[
             ("src/orbit/mod.rs", "mod find; pub use find::Found;"),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutants of src/kernel, drawn by seed, with tests/formulas/kernel.rs as the judge.
+"""Mutants of crates/kernel/src, drawn by seed, with tests/formulas/kernel.rs as the judge.
 
     tests/formulas/kernel/mutants.py COUNT [SEED]      in a copy of the tree; prints the survivors
 
@@ -17,7 +17,7 @@ RULES = [
     (r"\bPositive\b", "NonNegative"), (r"\bNonzero\b", "Zero"), (r"\.negated\(\)", ""), (r"\bSin\b", "Cos"), (r"-1\b", "1"),
     (r"^(\s*)return (refused|Err)\(.*\);$", r"\1"), (r"conditions\.extend\(.*\);", ""), (r"\.is_some\(\)", ".is_none()"),
 ]
-files = sorted(pathlib.Path("src/kernel").glob("*.rs"))
+files = sorted(pathlib.Path("crates/kernel/src").glob("*.rs"))
 places = []
 for path in files:
     for number, line in enumerate(path.read_text().split("\n")):

@@ -1,0 +1,652 @@
+//! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
+
+use super::members::{Members, contains_unit, j_is_unit};
+use super::words::is_identity_of_words;
+use texmath::{
+    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, base_alone, is_constant, letters,
+    names_in,
+};
+use std::collections::BTreeSet;
+
+/// The letters that a document marks.
+#[derive(Default)]
+pub(super) struct Marks {
+    /// Letters whose factors may not change places.
+    operators: BTreeSet<Name>,
+    complex: BTreeSet<Name>,
+    /// Letters that are divided by, as nobody divides by matrices.
+    numbers: BTreeSet<Name>,
+}
+
+/// Accents of vectors.
+const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
+
+/// Letters by what they are factors of.
+#[derive(Default)]
+struct Factors {
+    /// Capital letters beside a matrix, or beside each other.
+    of_matrices: BTreeSet<Name>,
+    /// Factors of divisors.
+    divisors: BTreeSet<Name>,
+}
+
+impl Factors {
+    /// Notes the letters that one node multiplies and divides by; `matrices` are letters that stand for matrices elsewhere.
+    fn read(&mut self, node: &Tree, matrices: &BTreeSet<String>) {
+        match node {
+            Tree::Product(factors) => {
+                let plain = |factor: &Tree| letter_of_power(factor).filter(|name| is_capital(name)).cloned();
+                let is_of_matrices = |factor: &Tree| match factor {
+                    Tree::Operation(operation, _) => {
+                        matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_))
+                    }
+                    Tree::RealPower(of, exponent, _) => is_sign_of_transpose(of, exponent),
+                    factor => letter_of_power(factor).is_some_and(|name| {
+                        is_typographic(name)
+                            || matrices.contains(&name.base)
+                            || (is_capital(name) && name.subscript.is_empty())
+                    }),
+                };
+                for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
+                    self.of_matrices.extend(plain(first).filter(|_| is_of_matrices(last)));
+                    self.of_matrices.extend(plain(last).filter(|_| is_of_matrices(first)));
+                }
+            }
+            Tree::Quotient(_, below, _) => {
+                let factors = match &**below {
+                    Tree::Product(factors) => factors.as_slice(),
+                    one => std::slice::from_ref(one),
+                };
+                let letters: Vec<Option<&Name>> = factors
+                    .iter()
+                    .filter(|factor| !matches!(factor, Tree::Number(_)))
+                    .map(letter_of_power)
+                    .collect();
+                if let Some(letters) = letters.into_iter().collect::<Option<BTreeSet<&Name>>>() {
+                    self.divisors.extend(letters.into_iter().cloned());
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The letter of a factor, to whatever power that is a number.
+fn letter_of_power(factor: &Tree) -> Option<&Name> {
+    match factor {
+        Tree::Symbol(name, _) => Some(name),
+        Tree::Power(of, ..) => letter_of_power(of),
+        _ => None,
+    }
+}
+
+fn is_capital(name: &Name) -> bool {
+    name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase())
+}
+
+/// Returns true for a letter in bold or script, and for a term that an operator begins.
+fn is_set_apart(name: &Name) -> bool {
+    let mut commands = OF_OPERATORS.iter().chain(&BOLD);
+    commands.any(|command| name.base.starts_with(command))
+}
+
+/// Returns true for a letter in bold, script, with an arrow or a hat.
+fn is_typographic(name: &Name) -> bool {
+    is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &[r"\hat", r"\widehat"])
+}
+
+/// The equations of a claim and of everything that it follows from.
+pub(super) struct Stated<'a> {
+    pub own: Vec<&'a Equation>,
+    pub below: Vec<&'a Equation>,
+    /// True if more than definitions restricts the letters.
+    pub is_restricted: bool,
+}
+
+/// The most terms of an equation that are compared with each other.
+const MOST_TERMS: usize = 50;
+
+/// Commands of functions of matrices alone.
+const OF_MATRICES: [&str; 16] = [
+    r"\det",
+    r"\tr",
+    r"\Tr",
+    r"\rank",
+    r"\operatorname{det}",
+    r"\operatorname{tr}",
+    r"\operatorname{Tr}",
+    r"\operatorname{rank}",
+    r"\mathrm{det}",
+    r"\mathrm{tr}",
+    r"\mathrm{Tr}",
+    r"\mathrm{rank}",
+    r"\text{det}",
+    r"\text{tr}",
+    r"\text{Tr}",
+    r"\text{rank}",
+];
+
+/// Commands that begin a term which is not understood and may be no number, beside those of letters in bold.
+const OF_OPERATORS: [&str; 5] = [r"\mathbb", r"\mathcal", r"\mathscr", r"\nabla", r"\langle"];
+
+/// Commands of the parts of complex numbers.
+pub(super) const OF_COMPLEX: [&str; 7] = [
+    r"\Re",
+    r"\Im",
+    r"\arg",
+    r"\operatorname{Re}",
+    r"\operatorname{Im}",
+    r"\mathrm{Re}",
+    r"\mathrm{Im}",
+];
+
+/// Functions that agree with their real ones on identities of complex numbers.
+const ANALYTIC: [&str; 10] = [
+    r"\exp", r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh",
+];
+
+/// The factors of terms that differ in their order alone, in an equation that does not hold where they commute: `P Q - Q P = c`.
+fn reordered(equation: &Equation) -> Vec<Vec<Tree>> {
+    let sides = [&equation.left, &equation.right]
+        .into_iter()
+        .flat_map(|side| terms(side));
+    let products = sides.filter_map(|term| match term {
+        Tree::Product(factors) => Some(factors.as_slice()),
+        _ => None,
+    });
+    let all: Vec<&[Tree]> = products.take(MOST_TERMS).collect();
+    let is_reordered = |one: &[Tree], other: &[Tree]| {
+        one != other && one.len() == other.len() && one.iter().all(|factor| other.contains(factor))
+    };
+    let mut found = Vec::new();
+    for (place, one) in all.iter().enumerate() {
+        let others = all.iter().skip(place + 1).filter(|other| is_reordered(one, other));
+        found.extend(others.map(|_| one.to_vec()));
+    }
+    let holds = || is_identity_of_words(equation, &BTreeSet::new());
+    match found.is_empty() || equation.relation != Relation::Equal || holds() {
+        true => Vec::new(),
+        false => found,
+    }
+}
+
+impl Marks {
+    /// Collects the marks of formulas, each with its TeX and what it states. `unit_is_number` says that `i` is the imaginary unit.
+    pub fn new<'a>(
+        formulas: impl Iterator<Item = (&'a str, &'a [Equation])> + Clone,
+        commutators: &[[String; 2]],
+        unit_is_number: bool,
+        has_matrices: bool,
+        mut members: Members,
+    ) -> Self {
+        let mut marks = Self::default();
+        let mut letters_of_matrices: BTreeSet<String> = commutators.iter().flatten().cloned().collect();
+        let mut letters_of_complex = BTreeSet::new();
+        let j_is_unit = j_is_unit(formulas.clone().map(|(tex, _)| tex));
+        if j_is_unit {
+            letters_of_complex.insert("j".to_owned());
+        }
+        let bold = Names {
+            opaque: Some(Opaque::default()),
+            ..Names::default()
+        };
+        for (tex, equations) in formulas.clone() {
+            members.add(tex);
+            // i \hbar \dot\psi = H \psi, of which nothing more is known where it cannot be read
+            if equations.is_empty() && unit_is_number && contains_unit(tex) {
+                letters_of_complex.extend(
+                    letters(tex, &Names::default())
+                        .into_iter()
+                        .map(|(letter, _)| letter.to_owned()),
+                );
+            }
+            letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
+            letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
+            // one letter in bold is a name of its own
+            let printed = letters(tex, &bold).into_iter();
+            letters_of_matrices.extend(
+                printed
+                    .filter(|(_, shape)| shape.starts_with(r"\mathbf"))
+                    .map(|(letter, _)| letter.to_owned()),
+            );
+        }
+        letters_of_matrices.append(&mut members.operators);
+        letters_of_complex.append(&mut members.complex);
+        let equations: Vec<&Equation> = formulas.flat_map(|(_, equations)| equations).collect();
+        let mut factors = Factors::default();
+        for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+            any(side, &mut |node| {
+                factors.read(node, &letters_of_matrices);
+                false
+            });
+        }
+        for equation in &equations {
+            marks.read_order(equation);
+            for side in [&equation.left, &equation.right] {
+                any(side, &mut |node| {
+                    marks.read(node);
+                    if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
+                        if letters_of_matrices.contains(&name.base) && name.accents.is_empty() {
+                            marks.operators.insert(name.clone());
+                        }
+                        let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
+                        if (has_matrices && is_factor && !is_constant(name)) || is_set_apart(name) {
+                            marks.operators.insert(name.clone());
+                        }
+                        if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
+                            marks.complex.insert(name.clone());
+                        }
+                    }
+                    false
+                });
+            }
+        }
+        marks.numbers = factors
+            .divisors
+            .into_iter()
+            .filter(|name| !is_typographic(name))
+            .collect();
+        marks.operators.retain(|name| !marks.numbers.contains(name));
+        let is_unit = |name: &Name| unit_is_number && is_constant(name) && name.base == "i";
+        // forwards and backwards, as equations refer to those before and behind
+        let mut is_forward = true;
+        loop {
+            let known = marks.operators.len() + marks.complex.len();
+            match is_forward {
+                true => equations.iter().for_each(|equation| marks.spread(equation, &is_unit)),
+                false => equations
+                    .iter()
+                    .rev()
+                    .for_each(|equation| marks.spread(equation, &is_unit)),
+            }
+            is_forward = !is_forward;
+            if marks.operators.len() + marks.complex.len() == known {
+                break;
+            }
+        }
+        // what an expectation with a hat is added to is a number
+        let mut names = BTreeSet::new();
+        for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+            names_in(side, &mut names);
+        }
+        // z_1 is complex where z_2 or z is
+        let has_marked_sibling = |name: &Name, marked: &BTreeSet<Name>, is_complex: bool| {
+            let is_sibling = |other: &Name| other.base == name.base && other.accents == name.accents;
+            !name.subscript.is_empty()
+                && marked
+                    .iter()
+                    .any(|other| (is_complex || !other.subscript.is_empty()) && is_sibling(other))
+        };
+        for (marked, is_complex) in [(&mut marks.operators, false), (&mut marks.complex, true)] {
+            let siblings = names.iter().filter(|name| has_marked_sibling(name, marked, is_complex));
+            let siblings: Vec<Name> = siblings.cloned().collect();
+            marked.extend(siblings);
+        }
+        let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
+        // one letter with a hat may be an estimate, several are operators as well
+        for accents in [[r"\hat", r"\widehat"], [r"\mathcal", r"\mathscr"]] {
+            let own: BTreeSet<&Name> = names.iter().filter(|name| has_accent(name, &accents)).collect();
+            let are_several = own.len() > 1;
+            marks
+                .operators
+                .extend(own.into_iter().filter(|name| are_several || is_capital(name)).cloned());
+        }
+        marks
+            .operators
+            .retain(|name| !is_constant(name) && !marks.numbers.contains(name));
+        marks.complex.retain(|name| !is_constant(name));
+        marks
+    }
+
+    /// Returns true if a letter is marked.
+    pub fn has(&self, name: &Name) -> bool {
+        self.operators.contains(name) || self.complex.contains(name)
+    }
+
+    /// Notes what one node marks.
+    fn read(&mut self, node: &Tree) {
+        match node {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                if has_accent(name, &ARROWS) {
+                    self.operators.insert(name.clone());
+                }
+                let mut plain = name.clone();
+                if plain.mark == "*" {
+                    plain.mark.clear();
+                } else if plain.accents.last().is_some_and(|accent| accent == r"\overline") {
+                    plain.accents.pop();
+                } else {
+                    return;
+                }
+                self.complex.insert(plain);
+            }
+            Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => self.mark_operators(of),
+            Tree::Product(factors) => {
+                // nobody writes the divisor of numbers in front, `A^{-1} b`
+                for (first, _) in factors.iter().zip(factors.iter().skip(1)) {
+                    if let Tree::Power(base, -1, _) = first
+                        && matches!(&**base, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()))
+                    {
+                        self.mark_operators(base);
+                    }
+                }
+                for (at, first) in factors.iter().enumerate() {
+                    for (behind, last) in factors.iter().enumerate().skip(at + 2) {
+                        if are_inverse(first, last) {
+                            factors[at..=behind]
+                                .iter()
+                                .for_each(|factor| self.mark_operators(factor));
+                        }
+                    }
+                }
+            }
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Transpose(of) | Operation::Determinant(of) | Operation::Trace(of) => {
+                    self.mark_operators(of);
+                }
+                Operation::Cross(left, right) => {
+                    self.mark_operators(left);
+                    self.mark_operators(right);
+                }
+                _ => {}
+            },
+            Tree::Invariant {
+                kind: Invariant::Trace | Invariant::Determinant,
+                of,
+                ..
+            } => {
+                self.operators.insert(of.clone());
+            }
+            _ => {}
+        }
+    }
+
+    /// Marks factors that a document says may or may not change places, `A B \neq B A`, the inverse of a product that is one of
+    /// inverses, and what takes a vector to a multiple of it, `A x = \lambda x`.
+    fn read_order(&mut self, equation: &Equation) {
+        let inverted = |tree: &Tree| match tree {
+            Tree::Power(base, -1, _) => Some((**base).clone()),
+            _ => None,
+        };
+        for (whole, parts) in [(&equation.left, &equation.right), (&equation.right, &equation.left)] {
+            if let (Some(Tree::Product(factors)), Tree::Product(parts)) = (inverted(whole), parts)
+                && parts.iter().map(inverted).collect::<Option<Vec<_>>>().is_some()
+            {
+                factors.iter().for_each(|factor| self.mark_operators(factor));
+            }
+        }
+        // a square that is 0, 1 or the letter itself is that of an operator
+        if let Tree::Power(of, 2, _) = &equation.left
+            && matches!(&**of, Tree::Symbol(name, _) if is_capital(name))
+            && (equation.right == **of
+                || matches!(&equation.right, Tree::Number(number) if number.0.is_zero() || number.0.is_one()))
+        {
+            self.mark_operators(of);
+        }
+        for pair in reordered(equation) {
+            pair.iter().for_each(|factor| self.mark_operators(factor));
+        }
+        let (Tree::Product(left), Tree::Product(right)) = (&equation.left, &equation.right) else {
+            return;
+        };
+        let is_order = left != right && left.len() == right.len() && left.iter().all(|factor| right.contains(factor));
+        if is_order && matches!(equation.relation, Relation::NotEqual | Relation::Equal) {
+            left.iter().for_each(|factor| self.mark_operators(factor));
+        }
+        if let ([matrix @ Tree::Symbol(name, _), vector], [number, other]) = (left.as_slice(), right.as_slice())
+            && vector == other
+            && name.base.chars().all(|c| c.is_ascii_uppercase())
+            && matches!(number, Tree::Symbol(name, _) if name.base == r"\lambda")
+        {
+            self.mark_operators(matrix);
+            self.mark_operators(vector);
+        }
+    }
+
+    /// Marks the letters of sums, products and powers.
+    fn mark_operators(&mut self, tree: &Tree) {
+        match tree {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                self.operators.insert(name.clone());
+            }
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().for_each(|part| self.mark_operators(part)),
+            Tree::Negate(of) | Tree::Power(of, ..) => self.mark_operators(of),
+            _ => {}
+        }
+    }
+
+    /// Marks the letters that are added or equated to what is marked.
+    fn spread(&mut self, equation: &Equation, is_unit: &dyn Fn(&Name) -> bool) {
+        let mut sums = vec![vec![&equation.left, &equation.right]];
+        for side in [&equation.left, &equation.right] {
+            collect_sums(side, &mut sums);
+        }
+        if let [both, ..] = sums.as_mut_slice() {
+            *both = both.iter().flat_map(|side| terms(side)).collect();
+        }
+        for sum in &sums {
+            if sum.iter().any(|term| self.is_operator(term)) {
+                let letters = sum.iter().filter_map(|term| letter_alone(term));
+                let numbers = &self.numbers;
+                self.operators
+                    .extend(letters.filter(|name| !numbers.contains(name)).cloned());
+            }
+        }
+        for (side, other) in [(&equation.left, &equation.right), (&equation.right, &equation.left)] {
+            if let Tree::Symbol(name, _) | Tree::Call(name, ..) = side
+                && holds(other, &|own| self.complex.contains(own) || is_unit(own))
+            {
+                self.complex.insert(name.clone());
+            }
+        }
+    }
+
+    /// Returns true if the value of a term is a matrix, a vector or an operator.
+    fn is_operator(&self, term: &Tree) -> bool {
+        match term {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => self.operators.contains(name),
+            Tree::Negate(of) | Tree::Power(of, ..) | Tree::Quotient(of, ..) => self.is_operator(of),
+            Tree::Sum(parts) => parts.iter().any(|part| self.is_operator(part)),
+            // two vectors are multiplied to a number
+            Tree::Product(parts) => {
+                let is_vector = |part: &&Tree| letter_alone(part).is_some_and(|name| has_accent(name, &ARROWS));
+                let vectors = parts.iter().filter(is_vector).count();
+                vectors % 2 == 1 || parts.iter().any(|part| !is_vector(&part) && self.is_operator(part))
+            }
+            Tree::Operation(operation, _) => matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_)),
+            _ => false,
+        }
+    }
+
+    /// The doubts about a claim, a clause each; `is_free` says that no definition gives a letter.
+    pub fn doubts(&self, stated: &Stated<'_>, is_free: &dyn Fn(&Name) -> bool) -> Vec<String> {
+        let all = || stated.own.iter().chain(&stated.below);
+        let found = |marked: &BTreeSet<Name>| -> Vec<String> {
+            let mut found = BTreeSet::new();
+            for equation in all() {
+                for side in [&equation.left, &equation.right] {
+                    any(side, &mut |node| {
+                        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node
+                            && marked.contains(name)
+                            && is_free(name)
+                        {
+                            found.insert(name.to_string());
+                        }
+                        false
+                    });
+                }
+            }
+            found.into_iter().map(|name| format!("`{name}`")).collect()
+        };
+        let is_real_only = |marked: &BTreeSet<Name>| {
+            let is_equation = |equation: &Equation| equation.relation == Relation::Equal;
+            let needs_reals = |side: &Tree| any(side, &mut |node| needs_reals(node, marked));
+            !stated.own.iter().all(|equation| is_equation(equation))
+                || stated.is_restricted
+                || all().any(|equation| needs_reals(&equation.left) || needs_reals(&equation.right))
+        };
+        let operators = found(&self.operators);
+        let is_identity = || {
+            let is_one = |equation: &&Equation| is_identity_of_words(equation, &self.operators);
+            stated.below.is_empty() && stated.own.iter().all(is_one)
+        };
+        let mut doubts = Vec::new();
+        let may_depend = operators.len() > 1 && !is_identity();
+        if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
+            doubts.push(format!(
+                "{}: real numbers, or matrices, vectors or operators, as the document marks them?",
+                operators.join(", ")
+            ));
+        }
+        let complex = found(&self.complex);
+        if !complex.is_empty() && is_real_only(&self.complex) {
+            doubts.push(format!(
+                "{}: real, or complex, as the document marks them?",
+                complex.join(", ")
+            ));
+        }
+        doubts
+    }
+}
+
+/// Returns true if what holds of real numbers at this node may not hold of the marked letters in it.
+fn needs_reals(node: &Tree, marked: &BTreeSet<Name>) -> bool {
+    let of = match node {
+        Tree::Call(name, argument, _) if name.base.starts_with('\\') && !ANALYTIC.contains(&name.base.as_str()) => {
+            // a letter that is a function is no elementary one
+            if texmath::letter(&name.base).is_some() {
+                return false;
+            }
+            argument
+        }
+        Tree::Root(of, ..) | Tree::RealPower(of, ..) => of,
+        Tree::Operation(operation, _) => {
+            let part = |(part, _): (&Tree, _)| holds(part, &|name| marked.contains(name));
+            return operation.parts().into_iter().any(part);
+        }
+        _ => return false,
+    };
+    holds(of, &|name| marked.contains(name))
+}
+
+/// Returns true if a letter that passes the test stands in a tree, outside of moduli and real and imaginary parts.
+fn holds(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
+    match tree {
+        Tree::Call(name, ..) if [r"\Re", r"\Im", r"\arg"].contains(&name.base.as_str()) => false,
+        Tree::Symbol(name, _) => test(name),
+        Tree::Call(name, ..) if test(name) => true,
+        _ => tree.find_below(&mut |part| holds(part, test).then_some(())).is_some(),
+    }
+}
+
+fn has_accent(name: &Name, accents: &[&str]) -> bool {
+    name.accents.iter().any(|accent| accents.contains(&accent.as_str()))
+}
+
+/// Returns true if an exponent is the sign of a transpose or an adjoint.
+fn is_sign_of_transpose(of: &Tree, exponent: &Tree) -> bool {
+    let Tree::Symbol(name, _) = exponent else {
+        return false;
+    };
+    let is_capital =
+        |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()));
+    let is_alone = *name == base_alone(name);
+    match name.base.as_str() {
+        r"\top" | r"\intercal" | r"\dagger" => true,
+        "T" => is_alone && !matches!(of, Tree::Number(_)),
+        "H" => is_alone && is_capital(of),
+        _ => false,
+    }
+}
+
+/// Returns true if one factor is the inverse of the other, to the same power.
+fn are_inverse(first: &Tree, last: &Tree) -> bool {
+    let split = |tree: &Tree| match tree {
+        Tree::Power(of, exponent, _) => ((**of).clone(), *exponent),
+        tree => (tree.clone(), 1),
+    };
+    let ((first, one), (last, other)) = (split(first), split(last));
+    first == last && one + other == 0 && !matches!(first, Tree::Number(_))
+}
+
+/// The terms of a sum.
+fn terms(tree: &Tree) -> Vec<&Tree> {
+    match tree {
+        Tree::Sum(parts) => parts.iter().flat_map(terms).collect(),
+        Tree::Negate(of) => terms(of),
+        tree => vec![tree],
+    }
+}
+
+/// Collects the terms of each sum in a tree.
+fn collect_sums<'t>(tree: &'t Tree, sums: &mut Vec<Vec<&'t Tree>>) {
+    if let Tree::Sum(_) = tree {
+        sums.push(terms(tree));
+    }
+    tree.find_below(&mut |part| {
+        collect_sums(part, sums);
+        None::<()>
+    });
+}
+
+/// The letter that a term is, with a number before it or not.
+fn letter_alone(term: &Tree) -> Option<&Name> {
+    match term {
+        Tree::Symbol(name, _) | Tree::Call(name, ..) if !name.base.starts_with('\\') || is_letter(name) => Some(name),
+        Tree::Negate(of) => letter_alone(of),
+        Tree::Product(factors) => {
+            let mut others = factors.iter().filter(|factor| !matches!(factor, Tree::Number(_)));
+            let only = others.next()?;
+            others.next().is_none().then(|| letter_alone(only)).flatten()
+        }
+        _ => None,
+    }
+}
+
+fn is_letter(name: &Name) -> bool {
+    texmath::letter(&name.base).is_some()
+}
+
+/// The letters of what stands behind one of these commands, in brackets or alone.
+fn arguments(tex: &str, commands: &[&str]) -> Vec<String> {
+    let mut found = Vec::new();
+    for command in commands {
+        for (at, _) in tex.match_indices(command) {
+            let rest = tex.get(at + command.len()..).unwrap_or_default();
+            // `\treat` is no trace
+            if !command.ends_with('}') && rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                continue;
+            }
+            let rest = rest.trim_start_matches([' ', '~']);
+            let rest = [r"\,", r"\;", r"\!", r"\ "]
+                .iter()
+                .fold(rest, |rest, blank| rest.trim_start_matches(blank));
+            let rest = rest.trim_start().trim_start_matches(r"\left").trim_start();
+            let length = match rest.chars().next() {
+                Some('(' | '[' | '{') => bracketed(rest),
+                Some('\\') => 1 + rest.chars().skip(1).take_while(char::is_ascii_alphabetic).count(),
+                Some(c) => c.len_utf8(),
+                None => 0,
+            };
+            let own = letters(rest.get(..length).unwrap_or_default(), &Names::default());
+            found.extend(own.into_iter().map(|(letter, _)| letter.to_owned()));
+        }
+    }
+    found
+}
+
+/// The length of what stands in the bracket that opens a text.
+fn bracketed(text: &str) -> usize {
+    let mut depth = 0_i32;
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return at + c.len_utf8();
+        }
+    }
+    text.len()
+}

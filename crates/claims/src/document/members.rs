@@ -1,0 +1,329 @@
+//! Letters of which a document says in which set they lie, `$z \in \mathbb{C}$`, or that it marks by how it prints them.
+
+use std::collections::BTreeSet;
+
+/// The letters that a text marks as complex, and as matrices, vectors or operators.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Members {
+    pub complex: BTreeSet<String>,
+    pub operators: BTreeSet<String>,
+}
+
+/// The most characters before and behind `\in` that letters and their set take.
+const FARTHEST: usize = 60;
+
+/// Signs and names of formulas of matrices.
+const OF_MATRICES: [&str; 14] = [
+    r"\otimes",
+    r"\oplus",
+    r"\succ",
+    r"\preceq",
+    r"\diag",
+    r"\mathrm{diag}",
+    r"\operatorname{diag}",
+    r"\text{diag}",
+    r"\mathrm{vec}",
+    r"\operatorname{vec}",
+    r"\mathrm{span}",
+    r"\operatorname{span}",
+    r"_{ij}]",
+    r"_{ij})",
+];
+
+/// Words for what does not commute, and for complex numbers (true), beside the letters that they are said of.
+const WORDS: [(&str, bool); 19] = [
+    ("matrix", false),
+    ("matrices", false),
+    ("Matrices", false),
+    ("operator", false),
+    ("quaternion", false),
+    ("tensor", false),
+    ("Hermitian", false),
+    ("unitary", false),
+    ("linear map", false),
+    ("endomorphism", false),
+    ("rotation", false),
+    ("generators", false),
+    ("commut", false),
+    ("elements of", false),
+    ("observables", false),
+    ("complex", true),
+    ("Complex", true),
+    ("phasor", true),
+    ("wave function", true),
+];
+
+impl Members {
+    /// Collects what a text says of its letters, within formulas and between them.
+    pub fn of_text(text: &str) -> Self {
+        let mut members = Self::default();
+        for (word, is_complex) in WORDS {
+            let marked = match is_complex {
+                true => &mut members.complex,
+                false => &mut members.operators,
+            };
+            for (at, _) in text.match_indices(word) {
+                marked.extend(letters_beside(text, at, at + word.len()));
+            }
+        }
+        let has_determinants = text.contains("eterminant");
+        for formula in inline(text) {
+            // [x, p] = i \hbar, D = \frac{d}{dx}
+            let plain: String = formula.chars().filter(|c| !c.is_whitespace()).collect();
+            if plain.starts_with('[') && plain.contains("]=") {
+                members
+                    .operators
+                    .extend(letters(plain.split(']').next().unwrap_or_default()));
+            }
+            if let Some((name, value)) = plain.split_once('=')
+                && [
+                    r"\frac{d}{",
+                    r"\frac{\partial}{",
+                    r"\frac{\mathrm{d}}{",
+                    "d/d",
+                    r"\partial/",
+                ]
+                .iter()
+                .any(|start| value.starts_with(start))
+            {
+                members.operators.extend(letters(name));
+            }
+            // the determinant $|A|$
+            if has_determinants && plain.starts_with('|') && plain.ends_with('|') {
+                members.operators.extend(letters(&plain));
+            }
+            // z = x + i y, i = \sqrt{-1}
+            if let Some((left, right)) = formula.split_once('=')
+                && contains_unit(right)
+            {
+                members.complex.extend(letters(left));
+            }
+            // \psi: \mathbb{R} \to \mathbb{C}
+            if let Some((left, right)) = formula.split_once(':').or_else(|| formula.split_once(r"\colon"))
+                && [r"\mathbb{C}", r"\mathbb C"]
+                    .iter()
+                    .any(|set| right.trim_end().ends_with(set))
+            {
+                members.complex.extend(letters(left));
+            }
+        }
+        for (at, _) in text.match_indices(r"\in") {
+            let behind = text.get(at + 3..).unwrap_or_default();
+            // `\int`, `\infty`
+            if behind.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                continue;
+            }
+            let set = within(behind, FARTHEST);
+            let set = set.split(['$', ',', ';']).next().unwrap_or_default().trim_start();
+            let before = text.get(..at).unwrap_or_default();
+            let start = before.char_indices().rev().nth(FARTHEST).map_or(0, |(start, _)| start);
+            let before = before.get(start..).unwrap_or_default();
+            let before = before
+                .rsplit(['$', '=', ';', '\n', '{', '[', '('])
+                .next()
+                .unwrap_or_default();
+            let named = |names: &[&str]| names.iter().any(|name| set.starts_with(name));
+            let is_complex = named(&[r"\mathbb{C}", r"\mathbb C", r"\mathbf{C}", r"\C", r"\Complex", r"\CC"]);
+            let is_real = named(&[r"\mathbb{R}", r"\mathbb R", r"\mathbf{R}", r"\R", r"\Reals", r"\RR"]);
+            let is_group = named(&[
+                "M_",
+                r"\mathrm{M}",
+                r"\mathcal{M}",
+                r"\mathrm{GL}",
+                "GL",
+                r"\mathrm{S",
+                "SO",
+                "SU",
+                "SL",
+            ]);
+            let has_power = set.split(' ').next().is_some_and(|set| set.contains('^'));
+            if is_group || ((is_complex || is_real) && has_power) {
+                members.operators.extend(letters(before));
+            } else if is_complex {
+                members.complex.extend(letters(before));
+            }
+        }
+        members
+    }
+
+    /// Adds what a displayed formula marks by how it is printed.
+    pub fn add(&mut self, tex: &str) {
+        let compact: String = tex.chars().filter(|c| !c.is_whitespace()).collect();
+        if compact.contains(r"\angle") {
+            self.complex.extend(letters(tex));
+        }
+        let is_capital = |letter: &String| letter.len() == 1 && letter.starts_with(|c: char| c.is_ascii_uppercase());
+        if OF_MATRICES.iter().any(|sign| compact.contains(sign)) || has_anticommutator(&compact) {
+            self.operators.extend(letters(tex).filter(is_capital));
+        }
+        for bars in [r"\|", r"\Vert", r"\lVert"] {
+            let mut between = tex.split(bars);
+            // every second piece stands between two of them, or in front of the closing one
+            while let (Some(_), Some(inside)) = (between.next(), between.next()) {
+                let inside = inside.split(r"\rVert").next().unwrap_or_default();
+                self.operators.extend(letters(inside));
+            }
+        }
+    }
+}
+
+/// Returns the letters that TeX prints.
+fn letters(tex: &str) -> impl Iterator<Item = String> {
+    let printed = texmath::letters(tex, &texmath::Names::default()).into_iter();
+    printed.map(|(letter, _)| letter)
+}
+
+/// Returns the formulas between single dollars, paragraph by paragraph, where their signs come in pairs.
+fn inline(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for paragraph in text.split("\n\n").filter(|paragraph| paragraph.contains('$')) {
+        let plain = paragraph.replace(r"\$", " ").replace("$$", " ");
+        let pieces: Vec<&str> = plain.split('$').collect();
+        if pieces.len() % 2 == 1 {
+            found.extend(pieces.into_iter().skip(1).step_by(2).map(str::to_owned));
+        }
+    }
+    found
+}
+
+/// Returns the letters that stand alone, `$A$` or `$A, B$`, in the clause around a word of a text, near it.
+fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
+    let before = text.get(..start).unwrap_or_default();
+    let near = before.char_indices().rev().nth(FARTHEST).map_or(0, |(near, _)| near);
+    let ends = [". ", ".\n", ";", "\n\n", r"\]", r"\end{", "$$"];
+    let last_end = |text: &str| {
+        ends.iter()
+            .filter_map(|end| text.rfind(end).map(|at| at + end.len()))
+            .max()
+    };
+    let first_end = |text: &str| ends.iter().filter_map(|end| text.find(end)).min();
+    let before = before.get(near..).unwrap_or_default();
+    let before = before.get(last_end(before).unwrap_or_default()..).unwrap_or_default();
+    let behind = within(text.get(end..).unwrap_or_default(), FARTHEST);
+    let behind = behind
+        .get(..first_end(behind).unwrap_or(behind.len()))
+        .unwrap_or_default();
+    let is_list = |part: &&str| {
+        let letter = |part: &str| letters(part).count() == 1;
+        part.split(',')
+            .all(|part| letter(part) && !part.contains(['=', '^', '(', '+', '<', '>']))
+    };
+    // `$A$ and $B$ are matrices`: every second piece, counted from the word on either side
+    let before = before.rsplit('$').skip(1).step_by(2);
+    let behind = behind.split('$').skip(1).step_by(2);
+    before.chain(behind).filter(is_list).flat_map(letters).collect()
+}
+
+/// Returns the first characters of a text.
+fn within(text: &str, most: usize) -> &str {
+    let end = text.char_indices().nth(most).map_or(text.len(), |(end, _)| end);
+    text.get(..end).unwrap_or_default()
+}
+
+/// Returns true for `\{A,B\}` of two capital letters.
+fn has_anticommutator(compact: &str) -> bool {
+    compact.match_indices(r"\{").any(|(at, _)| {
+        let inside = compact.get(at + 2..).unwrap_or_default();
+        let mut inside = inside.chars();
+        let is_capital = |c: Option<char>| c.is_some_and(|c| c.is_ascii_uppercase());
+        is_capital(inside.next())
+            && inside.next() == Some(',')
+            && is_capital(inside.next())
+            && inside.next() == Some('\\')
+    })
+}
+
+/// Returns true if a formula prints `i` as a factor, and numbers nothing by it.
+pub(super) fn contains_unit(tex: &str) -> bool {
+    let is_index = tex.match_indices('_').any(|(at, _)| {
+        let behind = tex.get(at + 1..).unwrap_or_default().trim_start();
+        let subscript = match behind.strip_prefix('{') {
+            Some(inside) => inside.split('}').next().unwrap_or_default(),
+            None => within(behind, 1),
+        };
+        letters(subscript).any(|letter| letter == "i")
+    });
+    !is_index && letters(tex).any(|letter| letter == "i")
+}
+
+/// Returns true if formulas use `j` as the imaginary unit: its square is -1, it stands in an exponent of e or before a
+/// frequency; where it numbers something it is none.
+pub(super) fn j_is_unit<'t>(formulas: impl Iterator<Item = &'t str>) -> bool {
+    let mut is_unit = false;
+    for tex in formulas {
+        let compact: String = tex.chars().filter(|c| !c.is_whitespace()).collect();
+        let compact = compact.replace(r"\mathrm{j}", "j").replace(r"\,", "");
+        if ["_j", "_{j", r"\sum_{j", r"\sum_j", "ij}", "jk}", "j="]
+            .iter()
+            .any(|index| compact.contains(index))
+        {
+            return false;
+        }
+        is_unit |= [
+            "j^2=-1",
+            "j^{2}=-1",
+            r"j=\sqrt{-1}",
+            "e^{j",
+            "e^{-j",
+            r"\exp(j",
+            r"\exp(-j",
+            r"j\omega",
+        ]
+        .iter()
+        .any(|sign| compact.contains(sign));
+    }
+    is_unit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn marked(text: &str) -> [String; 2] {
+        let members = Members::of_text(text);
+        [members.complex, members.operators].map(|letters| letters.into_iter().collect::<Vec<_>>().join(" "))
+    }
+
+    #[test]
+    fn sets_mark_their_members() {
+        assert_eq!(
+            marked(r"with $z, w \in \mathbb{C}$ and $x \in \mathbb{R}$"),
+            ["w z", ""]
+        );
+        assert_eq!(marked(r"$A, B \in \mathbb{R}^{n \times n}$"), ["", "A B"]);
+        assert_eq!(marked(r"\[ \int_0^1 x \, dx \] for $n \in \mathbb{N}$"), ["", ""]);
+        assert_eq!(marked(r"\[ y \in \mathbb C \]"), ["y", ""]);
+    }
+
+    #[test]
+    fn words_mark_the_letters_beside_them() {
+        assert_eq!(marked("Let $A$ and $B$ be matrices. Then $x$ is"), ["", "A B"]);
+        assert_eq!(marked("of the matrices $P, Q$; here $x + y$ is small"), ["", "P Q"]);
+        assert_eq!(
+            marked("where $z_1$ and $w$ are complex numbers with $|z| = 1$"),
+            ["w z", ""]
+        );
+        assert_eq!(marked("Let $z$ be complex. Here $y$ is real"), ["z", ""]);
+        assert_eq!(marked("two non-commuting variables $u$ and $v$"), ["", "u v"]);
+        assert_eq!(
+            marked(r"with $z = x + i y$ and $\psi\colon \mathbb{R}\to\mathbb{C}$"),
+            [r"\psi z", ""]
+        );
+        assert_eq!(marked("the $3\\times 3$ inertia tensor $J$"), ["", "J"]);
+        assert_eq!(marked("$x$ is a number. The matrix has rank two. $y$ is not"), ["", ""]);
+    }
+
+    #[test]
+    fn a_unit_numbers_nothing() {
+        assert!(contains_unit(r"i \hbar \dot\psi = H \psi"));
+        assert!(!contains_unit(r"x_i = i a") && !contains_unit(r"\sum_{i=1}^n i") && !contains_unit(r"\sin x"));
+    }
+
+    #[test]
+    fn a_unit_is_no_number_of_anything() {
+        assert!(j_is_unit([r"s = \sigma + j \omega"].into_iter()));
+        assert!(j_is_unit([r"y = c e^{\mathrm{j}\phi}"].into_iter()));
+        assert!(!j_is_unit([r"e^{j x} = a_j"].into_iter()));
+        assert!(!j_is_unit([r"a = b j"].into_iter()));
+    }
+}

@@ -1,0 +1,45 @@
+#![doc = include_str!("../README.md")]
+// Library code never panics by its own word: errors are returned.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::todo,
+        clippy::unimplemented,
+        clippy::unreachable
+    )
+)]
+
+mod check;
+mod circle;
+mod definition;
+mod document;
+mod doubts;
+mod entry;
+mod exponents;
+mod fault;
+mod function;
+mod implication;
+mod kinds;
+mod paper;
+mod premise;
+mod reduce;
+mod sheet;
+mod size;
+mod spelling;
+mod symbols;
+mod verdict;
+
+pub use definition::Local;
+pub use document::{Document, Include, Markup, PrintedNumber};
+pub use entry::{Entry, Role, Standing};
+pub use fault::{Fault, Source};
+pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
+pub use premise::{Premise, Statements};
+pub use reduce::{
+    Goal, Reduced, Rule, Rules, along_a_sequence, divisors, other_ways, reduced, reduced_by_cases, thin_domains, values,
+};
+pub use sheet::{Sheet, read_symbols};
+pub use verdict::Verdict;

@@ -1,0 +1,115 @@
+//! What must hold for a formula to have a value.
+
+use super::build::{integer, plain};
+use super::factorial::{DOUBLE_FACTORIAL, FACTORIAL};
+use numbers::{Field, Rational};
+use texmath::{Elementary, Equation, Name, Operation, Relation, Symbols, Tree, number_of};
+
+fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
+    Equation {
+        relation,
+        ..Equation::between(left, right)
+    }
+}
+
+/// The conditions, together sufficient, under which a tree of real numbers has a value.
+pub(super) fn conditions(tree: &Tree, symbols: &Symbols) -> Result<Vec<Equation>, String> {
+    conditions_beside(tree, symbols, &|_| false)
+}
+
+/// The same where functions that pass the test have a value at each number.
+pub(super) fn conditions_beside(
+    tree: &Tree,
+    symbols: &Symbols,
+    is_smooth: &dyn Fn(&Name) -> bool,
+) -> Result<Vec<Equation>, String> {
+    let mut found = Vec::new();
+    collect(tree, symbols, is_smooth, &mut found)?;
+    found.dedup();
+    Ok(found)
+}
+
+/// That a tree is not 0: none of its factors is.
+fn nonzero(tree: &Tree, found: &mut Vec<Equation>) {
+    match tree {
+        Tree::Product(factors) => factors.iter().for_each(|factor| nonzero(factor, found)),
+        Tree::Negate(inner) | Tree::Power(inner, 1.., _) => nonzero(inner, found),
+        Tree::Number(value) if *value != Rational::from_integer(0) => {}
+        tree => found.push(relation(tree.clone(), Relation::NotEqual, integer(0))),
+    }
+}
+
+fn collect(
+    tree: &Tree,
+    symbols: &Symbols,
+    is_smooth: &dyn Fn(&Name) -> bool,
+    found: &mut Vec<Equation>,
+) -> Result<(), String> {
+    let zero = || integer(0);
+    match tree {
+        Tree::Number(_) | Tree::Symbol(..) => {}
+        Tree::Sum(parts) | Tree::Product(parts) => {
+            for part in parts {
+                collect(part, symbols, is_smooth, found)?;
+            }
+        }
+        Tree::Negate(inner) => collect(inner, symbols, is_smooth, found)?,
+        Tree::Quotient(above, below, _) => {
+            collect(above, symbols, is_smooth, found)?;
+            collect(below, symbols, is_smooth, found)?;
+            nonzero(below, found);
+        }
+        Tree::Power(base, exponent, _) => {
+            collect(base, symbols, is_smooth, found)?;
+            if *exponent < 0 {
+                nonzero(base, found);
+            }
+        }
+        Tree::Root(radicand, index, _) => {
+            collect(radicand, symbols, is_smooth, found)?;
+            if index % 2 == 0 {
+                found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, zero()));
+            }
+        }
+        Tree::RealPower(base, exponent, _) => {
+            collect(base, symbols, is_smooth, found)?;
+            collect(exponent, symbols, is_smooth, found)?;
+            let euler = plain("e");
+            let is_positive = match &**base {
+                Tree::Number(value) => *value > Rational::from_integer(0),
+                Tree::Symbol(name, _) => (*name == euler && !symbols.declares(&euler)) || symbols.is_positive(name),
+                _ => false,
+            };
+            let is_whole = super::factorial::is_integer(exponent, symbols);
+            let is_nonzero = match &**base {
+                Tree::Symbol(name, _) => symbols.is_nonzero(name),
+                base => number_of(base).is_some_and(|value| value != Rational::from_integer(0)),
+            };
+            if is_whole && !is_positive && !is_nonzero {
+                found.push(relation((**exponent).clone(), Relation::GreaterOrEqual, zero()));
+            } else if !is_whole && !is_positive {
+                found.push(relation((**base).clone(), Relation::Greater, zero()));
+            }
+        }
+        Tree::Call(name, argument, _) => {
+            collect(argument, symbols, is_smooth, found)?;
+            match (name.base.as_str(), Elementary::named(name)) {
+                (FACTORIAL | DOUBLE_FACTORIAL, _) => {
+                    found.push(relation((**argument).clone(), Relation::GreaterOrEqual, zero()));
+                }
+                (_, Some(function)) if !function.is_part() => found.extend(function.domain(argument)),
+                _ if is_smooth(name) => {}
+                _ => return Err(format!("where `{name}` has a value is not known")),
+            }
+        }
+        // of integers it always has a value
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Binomial(of, chosen) if super::factorial::is_integer(chosen, symbols) => {
+                collect(of, symbols, is_smooth, found)?;
+            }
+            _ => return Err(format!("where `{tree}` has a value is not known")),
+        },
+        _ => return Err(format!("where `{tree}` has a value is not known")),
+    }
+    Ok(())
+}

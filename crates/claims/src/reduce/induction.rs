@@ -1,0 +1,388 @@
+//! Sums and products of symbolic length by induction over an integer: the first value, the step, and that everything
+//! has a value at each.
+
+use super::super::premise::{Premise, Statements};
+use super::build::{difference, integer, product, sum, symbol};
+use super::derivative::mentions;
+use super::evaluate::{WithFactorials, but_factorials};
+use super::integers::{free_integers, whole};
+use super::{Goal, Rule, defined, factorial, fresh, instances, rewritten, telescope};
+use texmath::{
+    Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, any_side, holds, index_of,
+    mapped, rewrite, subscript_of,
+};
+
+/// A sum or product whose limits move with the integer.
+pub(super) struct Moving {
+    operation: Operation,
+    /// What stands for it.
+    pub name: Name,
+    /// The terms that the next value has more, and those that it has no longer.
+    added: Vec<Tree>,
+    pub removed: Vec<Tree>,
+    /// What stands for its next value, where that is known by an equation.
+    next: Option<Name>,
+}
+
+/// The goals that prove the claim.
+///
+/// # Errors
+/// Why there is no induction.
+pub(super) fn goals(statements: &Statements, symbols: &Symbols) -> Result<Vec<Goal>, String> {
+    let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
+    if !statements.claims.iter().any(|claim| holds(claim, &is_series)) {
+        return with_factorials(statements, symbols, String::new());
+    }
+    if statements
+        .premises
+        .iter()
+        .any(|premise| holds(&premise.equation, &|_| true))
+    {
+        return Err("a premise holds a sum of symbolic length".to_owned());
+    }
+    if super::trees(statements)
+        .into_iter()
+        .any(|tree| symbols.may_be_complex(tree))
+    {
+        return Err("sums of complex numbers have no induction here".to_owned());
+    }
+    let letters = free_integers(statements, symbols);
+    let mut reason = "the length of a sum is no integer".to_owned();
+    for letter in &letters {
+        match over(statements, symbols, letter) {
+            Ok(goals) => return Ok(goals),
+            Err(why) => reason = why,
+        }
+    }
+    Err(reason)
+}
+
+/// The goal with factorials as quantities, and one for each condition of a binomial coefficient: that is decided without what
+/// factorials say of their arguments.
+fn with_factorials(statements: &Statements, symbols: &Symbols, part: String) -> Result<Vec<Goal>, String> {
+    let WithFactorials {
+        statements: written,
+        needed,
+    } = but_factorials(statements, symbols)?;
+    let mut goals = Vec::new();
+    for condition in needed {
+        let mut alone = written.clone();
+        alone
+            .premises
+            .retain(|premise| !any_side(&premise.equation, &mut factorial::is_one));
+        alone.claims = vec![condition.clone()];
+        if super::trees(&alone).into_iter().any(factorial::stands_in) {
+            return Err(format!("{condition} is not decided"));
+        }
+        let part = match part.as_str() {
+            "" => condition.to_string(),
+            part => format!("{part}: {condition}"),
+        };
+        goals.push(Goal::of(&alone, symbols, part));
+    }
+    let (quantities, symbols) = factorial::as_quantities(&written, symbols)?;
+    goals.push(Goal::of(&quantities, &symbols, part));
+    Ok(goals)
+}
+
+fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec<Goal>, String> {
+    let statements = &statements.clone().by(Rule::SeriesInduction);
+    let first = first_value(&statements.assume, symbols, letter)?;
+    let first = first.ok_or_else(|| format!("{letter} has no lower bound"))?;
+    if super::is_spoken_of(statements, symbols, letter) {
+        return Err(format!("premises speak of {letter}"));
+    }
+    let mut symbols = symbols.clone();
+    let mut moving: Vec<Moving> = Vec::new();
+    let mut found: Vec<Operation> = Vec::new();
+    for claim in &statements.claims {
+        for side in [&claim.left, &claim.right] {
+            series_in(side, &mut found);
+        }
+    }
+    // what is known of sums whose terms depend on the letter, and over which numbers the terms are
+    let (mut telescoped, mut over_terms) = (Vec::new(), Vec::new());
+    for operation in found {
+        let name = fresh(statements, &symbols, "S");
+        symbols.let_be_parameter(&name, false);
+        let Some(sum) = telescope::Sum::read(&operation, letter) else {
+            moving.push(moved(&operation, letter, first, name, None)?);
+            continue;
+        };
+        let next = fresh(statements, &symbols, "S");
+        symbols.let_be_parameter(&next, false);
+        let index = fresh(statements, &symbols, "k");
+        symbols.let_be_parameter(&index, false);
+        symbols.declare(index.clone(), Meaning::Integer);
+        let of = rewrite(sum.of, &|name| (name == sum.index).then(|| symbol(&index)));
+        let sum = telescope::Sum {
+            of: &of,
+            index: &index,
+            ..sum
+        };
+        let length = motion(sum.to, letter, first).filter(|_| factorial::is_linear(sum.to));
+        let is_plain = length.is_some_and(|(last, step)| step == 1 && last - sum.from >= -1);
+        let known = is_plain.then(|| sum.telescoped(&name, &next)).flatten();
+        let known = known.ok_or_else(|| format!("the terms of a sum depend on {letter}"))?;
+        over_terms.push((index.clone(), sum.from, sum.to.clone(), of.clone(), known.of_terms));
+        telescoped.push(known.of_sums);
+        moving.push(Moving {
+            next: Some(next),
+            added: Vec::new(),
+            removed: Vec::new(),
+            operation,
+            name,
+        });
+    }
+    let named = |tree: &Tree| mapped(tree, &|node| name_of(node, &moving));
+    let now = rewritten(statements, Rule::SeriesInduction, &named);
+    // the claim at the next value, by what stands for its sums now
+    let step = |tree: &Tree| {
+        let next = rewrite(tree, &|name| {
+            (name == letter).then(|| sum(vec![symbol(letter), integer(1)]))
+        });
+        rewrite(&next, &|name| {
+            let moving = moving.iter().find(|moving| moving.name == *name)?;
+            Some(next_value(moving))
+        })
+    };
+    let mut next = now.clone();
+    let equation = |claim: &Equation| Equation {
+        left: step(&claim.left),
+        right: step(&claim.right),
+        ..claim.clone()
+    };
+    next.claims = now.claims.iter().map(equation).collect();
+    let known = format!("the claim at {letter}");
+    let claims = now.claims.iter().cloned();
+    next.premises.extend(claims.map(|claim| Premise::known(&known, claim)));
+    if !telescoped.is_empty() {
+        next = next.by(Rule::SeriesTelescoping);
+    }
+    let of_sums = telescoped
+        .into_iter()
+        .map(|equation| Premise::known("the sum telescopes", equation));
+    next.premises.extend(of_sums);
+    let mut goals = Vec::new();
+    // what an equation gives of the next sum may be nothing at the first value
+    let bases = first..=first + i64::from(!over_terms.is_empty());
+    if !over_terms.is_empty() {
+        next.assume.push(Condition::Relation(Equation {
+            relation: Relation::GreaterOrEqual,
+            ..Equation::between(symbol(letter), integer(first + 1))
+        }));
+    }
+    for base in bases {
+        let at_base = instances::at(statements, &symbols, &[(letter, base)]);
+        let at_base = at_base.ok_or("the first value is not admissible")?;
+        goals.extend(with_factorials(&at_base, &symbols, format!("{letter} = {base}"))?);
+    }
+    goals.extend(with_factorials(
+        &next,
+        &symbols,
+        format!("the step from {letter} to {letter} + 1"),
+    )?);
+    for (index, from, to, of, equation) in over_terms {
+        let mut terms = statements.clone();
+        let bound = |relation: Relation, bound: Tree| {
+            Condition::Relation(Equation {
+                relation,
+                ..Equation::between(symbol(&index), bound)
+            })
+        };
+        terms.assume.push(bound(Relation::GreaterOrEqual, integer(from)));
+        terms.assume.push(bound(Relation::LessOrEqual, to));
+        let conditions = defined::conditions(&of, &symbols)?;
+        let conditions = conditions.into_iter().filter(|condition| {
+            let sides = [&condition.left, &condition.right];
+            sides
+                .into_iter()
+                .any(|side| mentions(side, letter) || mentions(side, &index))
+        });
+        for claim in conditions.chain([equation]) {
+            terms.claims = vec![claim.clone()];
+            goals.extend(with_factorials(&terms, &symbols, format!("{claim} at each {index}"))?);
+        }
+    }
+    // where the claim has no value at one integer, no step leads over it
+    let mut needed: Vec<Equation> = Vec::new();
+    for claim in &now.claims {
+        for side in [&claim.left, &claim.right] {
+            needed.extend(defined::conditions(side, &symbols)?);
+        }
+    }
+    for removed in moving.iter().flat_map(|moving| &moving.removed) {
+        needed.extend(defined::conditions(removed, &symbols)?);
+    }
+    needed.retain(|condition| mentions(&condition.left, letter));
+    needed.dedup();
+    for condition in needed {
+        let mut alone = now.clone();
+        alone.claims = vec![condition.clone()];
+        goals.extend(with_factorials(
+            &alone,
+            &symbols,
+            format!("{condition} at each {letter}"),
+        )?);
+    }
+    Ok(goals)
+}
+
+/// The first value of the integer, by its conditions; `None` where it has no lower bound.
+///
+/// # Errors
+/// The condition that is none.
+pub(super) fn first_value(assume: &[Condition], symbols: &Symbols, letter: &Name) -> Result<Option<i64>, String> {
+    let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == letter);
+    let listed = [(symbols.is_positive(letter), 1), (symbols.is_nonnegative(letter), 0)];
+    let bounds = listed
+        .into_iter()
+        .filter(|(is_listed, _)| *is_listed)
+        .map(|(_, bound)| bound);
+    let mut all: Vec<i64> = bounds.collect();
+    for condition in assume {
+        if !condition.sides().iter().any(|side| mentions(side, letter)) {
+            continue;
+        }
+        let relation = match condition {
+            Condition::Relation(relation) => relation,
+            Condition::Integer(tree) if is_letter(tree) => continue,
+            Condition::Integer(tree) => return Err(format!("steps of 1 leave what {tree} \\in \\mathbb{{Z}} allows")),
+        };
+        let bound = match (is_letter(&relation.left), is_letter(&relation.right), relation.relation) {
+            (true, false, Relation::GreaterOrEqual) => whole(&relation.right),
+            (true, false, Relation::Greater) => whole(&relation.right).map(|bound| bound + 1),
+            (false, true, Relation::LessOrEqual) => whole(&relation.left),
+            (false, true, Relation::Less) => whole(&relation.left).map(|bound| bound + 1),
+            _ => None,
+        };
+        match bound {
+            Some(bound) => all.push(bound),
+            None => return Err(format!("the condition {relation} is no lower bound")),
+        }
+    }
+    Ok(all.into_iter().max())
+}
+
+/// What stands for a sum.
+pub(super) fn name_of(node: &Tree, moving: &[Moving]) -> Option<Tree> {
+    let Tree::Operation(operation, _) = node else {
+        return None;
+    };
+    let of = moving.iter().find(|moving| moving.operation == **operation)?;
+    Some(symbol(&of.name))
+}
+
+pub(super) fn series_in(tree: &Tree, found: &mut Vec<Operation>) {
+    any(tree, &mut |node| {
+        if let Tree::Operation(operation, _) = node
+            && matches!(**operation, Operation::Series { .. })
+            && !found.contains(operation)
+        {
+            found.push((**operation).clone());
+        }
+        false
+    });
+}
+
+/// How a limit moves: its value at the first integer, and by how much with each.
+fn motion(limit: &Tree, letter: &Name, first: i64) -> Option<(i64, i64)> {
+    let at = |value: i64| whole(&rewrite(limit, &|name| (name == letter).then(|| integer(value))));
+    let (zero, one, two) = (at(first)?, at(first + 1)?, at(first + 2)?);
+    (one - zero == two - one).then_some((zero, one - zero))
+}
+
+/// How a sum moves with the integer; its terms may be members of the sequence.
+pub(super) fn moved(
+    operation: &Operation,
+    letter: &Name,
+    first: i64,
+    name: Name,
+    sequence: Option<&Name>,
+) -> Result<Moving, String> {
+    let Operation::Series {
+        kind,
+        of,
+        index,
+        from,
+        to,
+    } = operation
+    else {
+        return Err("no sum".to_owned());
+    };
+    if mentions(of, letter) {
+        return Err(format!("the terms of a sum depend on {letter}"));
+    }
+    let linear = |limit: &Tree| {
+        let is_linear = factorial::is_linear(limit);
+        motion(limit, letter, first)
+            .filter(|_| is_linear)
+            .ok_or_else(|| format!("the limit {limit} does not move evenly with {letter}"))
+    };
+    let ((low, lower), (high, higher)) = (linear(from)?, linear(to)?);
+    // where terms go, the sum is not empty: what they need, it needs
+    let shortest = if lower > 0 { 0 } else { -1 };
+    let is_whole = high - low >= shortest && higher >= lower && (0..=8).contains(&lower) && (0..=8).contains(&higher);
+    if !is_whole || (*kind == Series::Product && lower != 0) {
+        return Err("the limits of a sum move in a way that has no induction".to_owned());
+    }
+    let numbered = |name: &Name| index_of(&name.subscript, &index.to_string());
+    let is_strange = |node: &Tree| match node {
+        Tree::Symbol(name, _) => numbered(name).is_some() && Some(&name.bare()) != sequence,
+        _ => false,
+    };
+    if any(of, &mut |node| is_strange(node)) {
+        return Err("the terms of a sum are numbered names".to_owned());
+    }
+    let term = |limit: &Tree, more: i64| -> Result<Tree, String> {
+        let at = sum(vec![limit.clone(), integer(more)]);
+        let subscript = |offset: i32| {
+            let place = offset_of(&at, letter)?.checked_add(i64::from(offset))?;
+            Some(subscript_of(i32::try_from(place).ok()?, &letter.base))
+        };
+        if any(
+            of,
+            &mut |node| matches!(node, Tree::Symbol(name, _) if numbered(name).is_some_and(|offset| subscript(offset).is_none())),
+        ) {
+            return Err(format!("the limit {limit} is not {letter} and a number"));
+        }
+        Ok(rewrite(of, &|name| {
+            if name == index {
+                return Some(at.clone());
+            }
+            let subscript = subscript(numbered(name)?)?;
+            Some(symbol(&Name {
+                subscript,
+                ..name.clone()
+            }))
+        }))
+    };
+    Ok(Moving {
+        next: None,
+        operation: operation.clone(),
+        name,
+        added: (1..=higher).map(|more| term(to, more)).collect::<Result<_, _>>()?,
+        removed: (0..lower).map(|more| term(from, more)).collect::<Result<_, _>>()?,
+    })
+}
+
+/// What a limit is more than the letter.
+fn offset_of(limit: &Tree, letter: &Name) -> Option<i64> {
+    let (zero, step) = motion(limit, letter, 0)?;
+    (step == 1).then_some(zero)
+}
+
+pub(super) fn next_value(moving: &Moving) -> Tree {
+    if let Some(next) = &moving.next {
+        return symbol(next);
+    }
+    let own = symbol(&moving.name);
+    let Operation::Series { kind, .. } = &moving.operation else {
+        return own;
+    };
+    let all = std::iter::once(own).chain(moving.added.iter().cloned()).collect();
+    match kind {
+        Series::Product => product(all),
+        Series::Sum => difference(sum(all), sum(moving.removed.clone())),
+    }
+}

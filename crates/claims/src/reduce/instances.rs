@@ -1,0 +1,178 @@
+//! A claim over integers at numbers: what must hold if the claim does.
+
+use super::super::exponents::bases;
+use super::super::premise::Statements;
+use super::build::integer;
+use super::evaluate::evaluated;
+use super::integers::free_integers;
+use super::integral::by_antiderivatives;
+use super::{Goal, Reduced, Rule, rewritten, trees};
+use numbers::{Field, Rational};
+use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, number_of, rewrite};
+
+/// The highest number that is put in, the most letters, and the most goals.
+const HIGHEST: i64 = 7;
+const MOST_LETTERS: usize = 3;
+const MOST_GOALS: usize = 8;
+const MOST_WITH_INTEGRALS: usize = 4;
+
+/// The claim at small numbers for its integers, in all the places where they stand.
+pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
+    let goal = |instance: &Statements, part: String| {
+        let evaluated = evaluated(instance, symbols).ok()?;
+        if trees(&evaluated).into_iter().any(super::factorial::stands_in) {
+            return None;
+        }
+        Some(Goal::of(&evaluated, symbols, part))
+    };
+    first_found(statements, symbols, MOST_GOALS, &goal)
+}
+
+/// The claim with integrals at small numbers for its integers; each instance holds where its lemmas do.
+pub(super) fn with_integrals(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
+    let reduced = |instance: &Statements, part: String| {
+        let mut reduced = by_antiderivatives(instance, symbols).ok()??;
+        for goal in &mut reduced.sufficient {
+            goal.part.clone_from(&part);
+        }
+        Some(reduced)
+    };
+    let all = first_found(statements, symbols, MOST_WITH_INTEGRALS, &reduced);
+    let mut all = all.into_iter();
+    let mut together = all.next()?;
+    for more in all {
+        together.lemmas.extend(more.lemmas);
+        together.sufficient.extend(more.sufficient);
+    }
+    Some(Reduced {
+        necessary: together.sufficient,
+        sufficient: Vec::new(),
+        is_equivalent: false,
+        ..together
+    })
+}
+
+/// What is found at the first numbers for the integers, at most so many.
+fn first_found<T>(
+    statements: &Statements,
+    symbols: &Symbols,
+    most: usize,
+    found: &dyn Fn(&Statements, String) -> Option<T>,
+) -> Vec<T> {
+    let letters = free_integers(statements, symbols);
+    let mut all = Vec::new();
+    let solved = super::cases::solved_for(statements);
+    let is_kept = |letter: &Name| super::stands_in_symbols(symbols, letter) || solved.contains(letter);
+    if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(is_kept) {
+        return all;
+    }
+    for total in 0..=HIGHEST * 2 {
+        for values in tuples(letters.len(), total) {
+            if all.len() >= most {
+                return all;
+            }
+            let pairs: Vec<(&Name, i64)> = letters.iter().zip(values).collect();
+            if let Some(instance) = at(statements, symbols, &pairs) {
+                let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+                all.extend(found(&instance, part.join(", ")));
+            }
+        }
+    }
+    all
+}
+
+/// The tuples of numbers from 0 that add up to `total`.
+fn tuples(length: usize, total: i64) -> Vec<Vec<i64>> {
+    if length == 1 {
+        return if total <= HIGHEST {
+            vec![vec![total]]
+        } else {
+            Vec::new()
+        };
+    }
+    let first = 0..=total.min(HIGHEST);
+    first
+        .flat_map(|first| {
+            tuples(length - 1, total - first)
+                .into_iter()
+                .map(move |rest| std::iter::once(first).chain(rest).collect())
+        })
+        .collect()
+}
+
+/// The statements with numbers for letters; `None` where these are not admissible.
+pub(super) fn at(statements: &Statements, symbols: &Symbols, pairs: &[(&Name, i64)]) -> Option<Statements> {
+    let excluded = |name: &Name, value: i64| {
+        (value <= 0 && (symbols.is_positive(name) || symbols.is_at_most_one(name)))
+            || (value < 0 && symbols.is_nonnegative(name))
+            || (value == 0 && symbols.is_nonzero(name))
+            || (value > 1 && symbols.is_at_most_one(name))
+    };
+    if pairs.iter().any(|(name, value)| excluded(name, *value)) {
+        return None;
+    }
+    let put_in = |name: &Name| {
+        let pair = pairs.iter().find(|(letter, _)| *letter == name);
+        pair.map(|(_, value)| integer(*value))
+    };
+    let mut instance = rewritten(statements, Rule::IntegerInstances, &|tree| {
+        folded(&rewrite(tree, &put_in))
+    });
+    // a power keeps the condition on its base where its exponent comes out as an integer
+    let letters: Vec<Name> = pairs.iter().map(|(name, _)| (*name).clone()).collect();
+    let mut powers = Vec::new();
+    for tree in trees(statements) {
+        bases(tree, &letters, &mut powers)?;
+    }
+    for (base, _) in powers {
+        let base = folded(&rewrite(base, &put_in));
+        if number_of(&base).is_some_and(|value: Rational| value >= Rational::from_integer(0)) {
+            continue;
+        }
+        let mut relation = Equation::between(base, integer(0));
+        relation.relation = Relation::GreaterOrEqual;
+        instance.assume.push(Condition::Relation(relation));
+    }
+    for condition in &instance.assume {
+        let holds = match condition {
+            Condition::Relation(relation) => relation_holds(relation),
+            Condition::Integer(tree) => number_of(tree).map(|value| value.0.is_int()),
+        };
+        if holds == Some(false) {
+            return None;
+        }
+    }
+    instance.assume.retain(|condition| match condition {
+        Condition::Relation(relation) => relation_holds(relation).is_none(),
+        Condition::Integer(tree) => number_of(tree).is_none(),
+    });
+    Some(instance)
+}
+
+/// Whether a relation between numbers holds.
+pub(super) fn relation_holds(relation: &Equation) -> Option<bool> {
+    let (left, right): (Rational, Rational) = (number_of(&relation.left)?, number_of(&relation.right)?);
+    Some(match relation.relation {
+        Relation::Equal => left == right,
+        Relation::NotEqual => left != right,
+        Relation::Less => left < right,
+        Relation::LessOrEqual => left <= right,
+        Relation::Greater => left > right,
+        Relation::GreaterOrEqual => left >= right,
+    })
+}
+
+/// The tree with exponents that are integers written as such.
+fn folded(tree: &Tree) -> Tree {
+    let is_power = |node: &Tree| matches!(node, Tree::RealPower(..));
+    if !any(tree, &mut |node| is_power(node)) {
+        return tree.clone();
+    }
+    mapped(tree, &|node| match node {
+        Tree::RealPower(base, exponent, at) => {
+            let exponent = i32::try_from(super::integers::whole(exponent)?).ok()?;
+            Some(Tree::Power(Box::new(folded(base)), exponent, *at))
+        }
+        _ => None,
+    })
+}

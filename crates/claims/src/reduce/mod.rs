@@ -1,0 +1,442 @@
+//! Claims with matrices, derivatives, integrals, sums, products, cases, and with conjugates and moduli of complex numbers,
+//! reduced to claims about numbers: goals, of which all must hold for the claim to, and goals of which none may fail.
+//!
+//! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names. The rules are
+//! recorded in the statements that they rewrite, and so in each goal that comes of them.
+
+mod antiderivative;
+mod build;
+mod cases;
+mod complex;
+mod decay;
+mod defined;
+mod derivative;
+mod divisors;
+mod evaluate;
+mod exponential;
+mod factorial;
+mod induction;
+mod inequality;
+mod instances;
+mod integers;
+mod integral;
+mod law;
+mod limit;
+mod matrix;
+mod parts;
+mod ranges;
+mod recurrence;
+mod roots;
+mod rule;
+mod series;
+mod telescope;
+mod thin;
+
+use super::definition::{Local, inlined};
+use super::premise::Statements;
+pub use divisors::divisors;
+pub use inequality::ways as other_ways;
+pub use rule::{Rule, Rules};
+pub use thin::{thin_domains, values};
+
+use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, put_in};
+
+/// The most primes of a name that stands for a number in a proof.
+const MOST_PRIMES: u8 = 9;
+
+/// A claim without operations.
+#[derive(Clone, Debug)]
+pub struct Goal {
+    pub statements: Statements,
+    pub symbols: Symbols,
+    /// What it is of the claim: the case, the value of an index, a step; empty where it is the claim itself.
+    pub part: String,
+}
+
+/// What a claim comes to.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What must hold for the others to bear on the claim.
+    pub lemmas: Vec<Goal>,
+    /// The claim holds where all of these do; none where no way to prove it is known.
+    pub sufficient: Vec<Goal>,
+    /// Whether it fails where one of these does.
+    pub is_equivalent: bool,
+    /// It fails where one of these others does.
+    pub necessary: Vec<Goal>,
+    /// Why nothing is sufficient.
+    pub reason: String,
+}
+
+impl Reduced {
+    /// The claim as its own only goal.
+    pub fn itself(goal: Goal) -> Self {
+        Self {
+            lemmas: Vec::new(),
+            necessary: Vec::new(),
+            sufficient: vec![goal],
+            is_equivalent: true,
+            reason: String::new(),
+        }
+    }
+}
+
+impl Goal {
+    fn of(statements: &Statements, symbols: &Symbols, part: String) -> Self {
+        Self {
+            statements: statements.clone().with_overview(symbols),
+            symbols: symbols.clone(),
+            part,
+        }
+    }
+}
+
+/// Whether a tree holds an operation, or a power that is a transpose.
+fn has_operation(tree: &Tree, symbols: &Symbols) -> bool {
+    any(tree, &mut |node| match node {
+        Tree::Operation(..) => true,
+        Tree::RealPower(_, exponent, _) => symbols.transposes(exponent),
+        node => factorial::is_one(node) || cases::is_sign(node),
+    })
+}
+
+/// All trees of the statements, definitions too.
+fn trees(statements: &Statements) -> Vec<&Tree> {
+    let claims = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
+    let premises = statements.premises.iter().flat_map(|premise| {
+        let own = [&premise.equation.left, &premise.equation.right];
+        let locals = premise.locals.iter().map(|local| &local.tree);
+        own.into_iter()
+            .chain(locals)
+            .chain(premise.assume.iter().flat_map(Condition::sides))
+    });
+    let locals = statements.locals.iter().map(|local| &local.tree);
+    let assume = statements.assume.iter().flat_map(Condition::sides);
+    claims.chain(premises).chain(locals).chain(assume).collect()
+}
+
+/// What a claim comes to; `None` where it is about numbers as it stands.
+///
+/// # Errors
+/// Why an operation has no meaning here, or is not reduced.
+pub fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+    if !complex::takes_part(statements, symbols) {
+        return without_operations(statements, symbols);
+    }
+    let written = written_out(statements, symbols)?;
+    complex::refuse_inside(&written, symbols)?;
+    let reduced = match without_operations(&written, symbols)? {
+        Some(reduced) => reduced,
+        None => Reduced::itself(Goal::of(&written, symbols, String::new())),
+    };
+    complex::as_real(reduced, symbols).map(Some)
+}
+
+/// What a claim with operations comes to, of real or of complex numbers.
+fn without_operations(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+    if !trees(statements).into_iter().any(|tree| has_operation(tree, symbols)) {
+        return Ok(None);
+    }
+    let written = written_out(statements, symbols)?;
+    let (written, mut lemmas) = roots::as_powers(&written, symbols)?;
+    let laws = law::Laws {
+        statements: &written,
+        symbols,
+    };
+    let mut statements = rewritten(&written, Rule::SignCases, &cases::signs);
+    statements = rewritten(&statements, Rule::FunctionFormulas, &|tree| laws.in_integrals(tree));
+    let all = trees(&statements);
+    if all.iter().any(|tree| binds_bare_function(tree, symbols)) {
+        let running = symbols.running().cloned().unwrap_or_default();
+        return Err(format!(
+            "a function without its argument where `{running}` is bound: write it"
+        ));
+    }
+    if integral::is_indefinite(&statements) && all.into_iter().any(cases::stands_in) {
+        return Err("an antiderivative by cases".to_owned());
+    }
+    if limit::stands_in(&statements) {
+        let needed;
+        (statements, needed) = limit::evaluated(&statements, symbols)?;
+        lemmas.extend(needed);
+    }
+    let mut goals = Vec::new();
+    let split = cases::split(&statements, symbols)?;
+    lemmas.extend(split.lemmas);
+    for (part, statements) in split.choices {
+        let by_numbers = evaluate::evaluated(&statements, symbols);
+        match by_numbers {
+            Ok(evaluated) => goals.push(Goal::of(&evaluated, symbols, part)),
+            Err(_) if integral::is_indefinite(&statements) => {
+                let differentiated = integral::differentiated(&statements, symbols)?;
+                let evaluated = evaluate::evaluated(&differentiated, symbols)?;
+                goals.push(Goal::of(&evaluated, symbols, part));
+            }
+            Err(reason) if part.is_empty() => {
+                let mut reduced = over_an_index(&statements, symbols, reason)?;
+                reduced.lemmas.extend(lemmas);
+                return Ok(Some(reduced));
+            }
+            Err(reason) => return Err(reason),
+        }
+    }
+    Ok(Some(Reduced {
+        lemmas,
+        necessary: Vec::new(),
+        sufficient: goals,
+        is_equivalent: true,
+        reason: String::new(),
+    }))
+}
+
+/// What a claim without operations comes to once it is not decided as it stands: the induction along a sequence, the signs
+/// of what stands between bars, and numbers for its integers. `None` where it has none of these.
+pub fn reduced_by_cases(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
+    let written = written_out(statements, symbols).ok()?;
+    if let Some(reduced) = along_a_sequence(statements, symbols) {
+        return Some(reduced);
+    }
+    let necessary = instances::of(&written, symbols);
+    let is_real = !trees(&written).into_iter().any(|tree| symbols.may_be_complex(tree));
+    let may_be_split = is_real && (1..=cases::MOST_BARS).contains(&cases::bars(&written));
+    let with_cases = may_be_split.then(|| {
+        rewritten(
+            &cases::between_bounds(&written),
+            Rule::ModulusCases,
+            &cases::absolute_values,
+        )
+    });
+    let split = with_cases.and_then(|with_cases| cases::split(&with_cases, symbols).ok());
+    let (choices, lemmas) = split.map_or_else(Default::default, |split| (split.choices, split.lemmas));
+    let goal = |(part, own): (String, Statements)| Goal::of(&own, symbols, part);
+    let sufficient: Vec<Goal> = choices.into_iter().map(goal).collect();
+    let is_any = !(necessary.is_empty() && sufficient.is_empty());
+    is_any.then_some(Reduced {
+        lemmas,
+        is_equivalent: !sufficient.is_empty(),
+        sufficient,
+        necessary,
+        reason: String::new(),
+    })
+}
+
+/// What a claim without operations about members of a sequence comes to, by the recurrence that gives it.
+pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
+    let written = written_out(statements, symbols).ok()?;
+    if !recurrence::is_spoken_of(&written, symbols) {
+        return None;
+    }
+    let reduced = recurrence::reduced(&written, symbols);
+    Some(reduced.unwrap_or_else(|reason| Reduced {
+        lemmas: Vec::new(),
+        sufficient: Vec::new(),
+        is_equivalent: false,
+        necessary: Vec::new(),
+        reason,
+    }))
+}
+
+/// What a claim with definite integrals, or with sums and products of symbolic length, comes to.
+fn over_an_index(statements: &Statements, symbols: &Symbols, reason: String) -> Result<Reduced, String> {
+    if let Some(found) = integral::by_antiderivatives(statements, symbols)? {
+        return Ok(found);
+    }
+    if recurrence::is_spoken_of(statements, symbols) {
+        return recurrence::reduced(statements, symbols);
+    }
+    let necessary = instances::of(statements, symbols);
+    let (sufficient, why) = match induction::goals(statements, symbols) {
+        Ok(goals) => (goals, String::new()),
+        Err(why) => (Vec::new(), why),
+    };
+    if necessary.is_empty() && sufficient.is_empty() {
+        let found = instances::with_integrals(statements, symbols);
+        return found
+            .map(|found| Reduced {
+                reason: reason.clone(),
+                ..found
+            })
+            .ok_or(reason);
+    }
+    Ok(Reduced {
+        lemmas: Vec::new(),
+        sufficient,
+        necessary,
+        is_equivalent: false,
+        reason: why,
+    })
+}
+
+/// The statements with all definitions and abbreviations put in; each definition must have a value.
+fn written_out(statements: &Statements, symbols: &Symbols) -> Result<Statements, String> {
+    let too_large = || "what is defined is too large once it is put in".to_owned();
+    let inline =
+        |equation: &Equation, locals: &[Local]| super::definition::inlined_in(equation, locals).ok_or_else(too_large);
+    let condition = |condition: &Condition, locals: &[Local]| {
+        Ok::<Condition, String>(match condition {
+            Condition::Relation(relation) => Condition::Relation(inline(relation, locals)?),
+            Condition::Integer(tree) => Condition::Integer(inlined(tree, locals).ok_or_else(too_large)?),
+        })
+    };
+    let mut written = statements.clone();
+    let locals = std::mem::take(&mut written.locals);
+    for claim in &mut written.claims {
+        *claim = inline(claim, &locals)?;
+    }
+    for assumed in &mut written.assume {
+        *assumed = condition(assumed, &locals)?;
+    }
+    for premise in &mut written.premises {
+        let locals = std::mem::take(&mut premise.locals);
+        premise.equation = inline(&premise.equation, &locals)?;
+        for assumed in &mut premise.assume {
+            *assumed = condition(assumed, &locals)?;
+        }
+    }
+    // what nothing speaks of must have a value all the same
+    for local in &locals {
+        let tree = inlined(&local.tree, &locals).ok_or_else(too_large)?;
+        let is_used = trees(statements)
+            .into_iter()
+            .any(|tree| derivative::mentions(tree, &local.name));
+        if !is_used {
+            written.claims.push(Equation::between(tree.clone(), tree));
+        }
+    }
+    // numbers are put in for letters, and what moves is followed, within abbreviations too
+    written = rewritten(&written, Rule::Definitions, &|tree| {
+        put_in(tree, &|name| symbols.meaning(name, &|_| false))
+    });
+    Ok(match written.has_formulas_of(statements) {
+        true => written,
+        false => written.by(Rule::Definitions),
+    })
+}
+
+/// The statements with each formula of claims, premises and assumptions rewritten by a rule, which is recorded where it
+/// changes any.
+fn rewritten(statements: &Statements, rule: Rule, new: &dyn Fn(&Tree) -> Tree) -> Statements {
+    let equation = |equation: &Equation| Equation {
+        left: new(&equation.left),
+        right: new(&equation.right),
+        ..equation.clone()
+    };
+    let condition = |condition: &Condition| match condition {
+        Condition::Relation(relation) => Condition::Relation(equation(relation)),
+        Condition::Integer(tree) => Condition::Integer(new(tree)),
+    };
+    let mut rewritten = statements.clone();
+    rewritten.claims = statements.claims.iter().map(equation).collect();
+    rewritten.assume = statements.assume.iter().map(condition).collect();
+    for premise in &mut rewritten.premises {
+        premise.equation = equation(&premise.equation);
+        premise.assume = premise.assume.iter().map(condition).collect();
+    }
+    match rewritten.has_formulas_of(statements) {
+        true => rewritten,
+        false => rewritten.by(rule),
+    }
+}
+
+/// Whether a sum, an integral or a limit binds the running symbol of functions that stand in it without their argument.
+fn binds_bare_function(tree: &Tree, symbols: &Symbols) -> bool {
+    let is_bare = |node: &Tree| match node {
+        Tree::Symbol(name, _) => {
+            let flies = symbols.is_in_flight(name) && name.subscript.is_empty();
+            flies || (symbols.is_function(name) && !symbols.is_parameter(name))
+        }
+        _ => false,
+    };
+    any(tree, &mut |node| {
+        let Tree::Operation(operation, _) = node else {
+            return false;
+        };
+        let is_over_time = operation.letter().is_some() && operation.letter() == symbols.running();
+        let is_derivative = matches!(**operation, Operation::Derivative { order: 1.., .. });
+        let parts = operation.parts().into_iter().filter(|(_, is_bound)| *is_bound);
+        let mut parts = parts.filter(|_| is_over_time && !is_derivative && !is_antiderivative(operation));
+        parts.any(|(part, _)| any(part, &mut |node| is_bare(node)))
+    })
+}
+
+fn is_antiderivative(operation: &Operation) -> bool {
+    matches!(operation, Operation::Integral { limits: None, .. })
+}
+
+/// Whether premises, relations or assumed equations say anything of a symbol: then other symbols may depend on it.
+fn is_spoken_of(statements: &Statements, symbols: &Symbols, name: &Name) -> bool {
+    let speaks = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
+    let mut premises = statements.premises.iter();
+    is_tied(statements, symbols, name)
+        || premises.any(|premise| speaks(&premise.equation))
+        || stands_in_symbols(symbols, name)
+}
+
+/// Whether an assumed equation ties a symbol to others.
+fn is_tied(statements: &Statements, symbols: &Symbols, name: &Name) -> bool {
+    let speaks = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
+    let is_other = |node: &Tree| match node {
+        Tree::Symbol(other, _) => other != name && symbols.is_parameter(other),
+        _ => false,
+    };
+    let mut assumed = statements.assume.iter();
+    assumed.any(|condition| match condition {
+        Condition::Relation(relation) => {
+            let sides = [&relation.left, &relation.right];
+            let is_equal = relation.relation == texmath::Relation::Equal;
+            is_equal && speaks(relation) && sides.into_iter().any(|side| any(side, &mut |node| is_other(node)))
+        }
+        Condition::Integer(_) => false,
+    })
+}
+
+/// Whether relations, periods, derivatives of functions or maps of `[symbols]` speak of a symbol: it is not replaced there.
+/// The running time in the derivative of a function is the function's argument, whatever it is.
+fn stands_in_symbols(symbols: &Symbols, name: &Name) -> bool {
+    let in_equation = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
+    let is_argument = symbols.running() == Some(name);
+    let slopes = symbols.functions().filter(|_| !is_argument);
+    let slopes = slopes.filter_map(|(_, slope)| slope);
+    let mut trees = symbols.periods().map(|(_, period)| period).chain(slopes);
+    let in_map = |map: &Map| match map {
+        Map::Equations(equations) => equations.iter().any(in_equation),
+        Map::Premises { .. } | Map::Product(_) => false,
+    };
+    symbols.relations.iter().any(in_equation)
+        || trees.any(|tree| tree.has_free(name))
+        || symbols.maps().any(|(_, map)| in_map(map))
+}
+
+/// That a symbol may be differentiated by: it is no integer.
+fn is_continuous(statements: &Statements, symbols: &Symbols, name: &Name) -> Result<(), String> {
+    let is_integer = integers::integers(statements, symbols).contains(name) || symbols.is_integer(name);
+    match is_integer {
+        true => Err(format!("`{name}` is an integer: nothing is differentiated by it")),
+        false => Ok(()),
+    }
+}
+
+/// A name that nothing in the statements has, like `like`.
+fn fresh(statements: &Statements, symbols: &Symbols, like: &str) -> Name {
+    fresh_like(statements, symbols, build::plain(like))
+}
+
+fn fresh_like(statements: &Statements, symbols: &Symbols, mut name: Name) -> Name {
+    let is_met = |name: &Name| {
+        symbols.knows(name)
+            || trees(statements)
+                .into_iter()
+                .any(|tree| derivative::mentions(tree, name))
+    };
+    // a function is known with any number of primes, but not with another accent
+    while is_met(&name) {
+        match name.primes < MOST_PRIMES {
+            true => name.primes += 1,
+            false => {
+                name.primes = 0;
+                name.accents.push("\\tilde".to_owned());
+            }
+        }
+    }
+    name
+}

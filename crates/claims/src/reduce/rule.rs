@@ -1,0 +1,129 @@
+//! The rules by which claims are reduced, each with the name that the audit prints.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use texmath::{Operation, Series};
+
+/// The rules by which statements were rewritten from what was read.
+pub type Rules = BTreeSet<Rule>;
+
+/// A rule by which a claim is reduced. The kernel sees what comes of it: the rule itself is trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Rule {
+    /// Definitions and abbreviations are replaced by their formulas.
+    Definitions,
+    /// Functions in integrals are replaced by the formulas that premises give them.
+    FunctionFormulas,
+    /// `\sgn` is written by cases.
+    SignCases,
+    /// `\sqrt[n]{x}` is `x^{1/n}`.
+    RootPower,
+    /// Both sides are differentiated.
+    IntegralDifferentiated,
+    /// Integrals over one interval are one integral of the sum.
+    IntegralLinear,
+    /// A definite integral is the difference of an antiderivative at its ends.
+    IntegralAntiderivative,
+    /// The integral of a normal distribution.
+    IntegralGaussian,
+    /// A limit is read off a power series.
+    LimitSeries,
+    /// `O(x^n)` is read off a power series.
+    OrderSeries,
+    /// A sum or product of known length is written out.
+    SeriesTerms,
+    /// Sums and products of symbolic length by induction.
+    SeriesInduction,
+    /// Sums whose terms depend on their length by creative telescoping.
+    SeriesTelescoping,
+    /// A claim about a sequence by induction along its recurrence.
+    SequenceInduction,
+    /// Members of a sequence by the recurrence at numbers.
+    SequenceUnrolled,
+    /// Integers are replaced by numbers.
+    IntegerInstances,
+    /// Derivatives by the rules of differentiation.
+    DerivativeRules,
+    /// Matrices and vectors by their entries.
+    MatrixEntries,
+    /// Binomial coefficients by products and factorials.
+    BinomialFactorials,
+    /// Factorials of numbers by their values, of letters by n! = n (n - 1)!.
+    FactorialRecurrence,
+    /// One goal for each case.
+    CasesSplit,
+    /// One goal for each sign of what stands between bars.
+    ModulusCases,
+    /// `|a| <= b` is `-b <= a <= b`.
+    ModulusBounds,
+    /// Complex numbers by their real and imaginary parts.
+    ComplexParts,
+    /// The Cauchy-Schwarz inequality is given for the moduli of an inequality.
+    CauchySchwarz,
+    /// An inequality by the signs of derivatives at and beyond a point, or by concavity.
+    InequalityDerivatives,
+    /// A root or the value of an inverse function by the equation and the range that define it.
+    InverseRange,
+}
+
+impl Rule {
+    /// Returns the rule by which an operation is written out at once; None where another step has to remove it first.
+    pub(super) fn of_operation(operation: &Operation) -> Option<Self> {
+        match operation {
+            Operation::Matrix(_)
+            | Operation::Determinant(_)
+            | Operation::Trace(_)
+            | Operation::Transpose(_)
+            | Operation::Cross(..)
+            | Operation::Dot(..) => Some(Self::MatrixEntries),
+            Operation::Binomial(..) => Some(Self::BinomialFactorials),
+            Operation::Derivative { .. } => Some(Self::DerivativeRules),
+            Operation::Series {
+                kind: Series::Sum | Series::Product,
+                ..
+            } => Some(Self::SeriesTerms),
+            Operation::Root { .. }
+            | Operation::Integral { .. }
+            | Operation::Limit { .. }
+            | Operation::Order(_)
+            | Operation::Approaches(_)
+            | Operation::OneSided(..)
+            | Operation::Infinity
+            | Operation::Cases(_) => None,
+        }
+    }
+}
+
+impl fmt::Display for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Definitions => "definitions: substituted",
+            Self::FunctionFormulas => "functions: formulas",
+            Self::SignCases => "sign: cases",
+            Self::RootPower => "root: power",
+            Self::IntegralDifferentiated => "integral: differentiated",
+            Self::IntegralLinear => "integral: linearity",
+            Self::IntegralAntiderivative => "integral: antiderivative",
+            Self::IntegralGaussian => "integral: Gaussian",
+            Self::LimitSeries => "limit: series",
+            Self::OrderSeries => "order: series",
+            Self::SeriesTerms => "sum: terms",
+            Self::SeriesInduction => "sum: induction",
+            Self::SeriesTelescoping => "sum: telescoping",
+            Self::SequenceInduction => "sequence: induction",
+            Self::SequenceUnrolled => "sequence: unrolled",
+            Self::IntegerInstances => "integers: instances",
+            Self::DerivativeRules => "derivative: rules",
+            Self::MatrixEntries => "matrix: entries",
+            Self::BinomialFactorials => "binomial: factorials",
+            Self::FactorialRecurrence => "factorial: recurrence",
+            Self::CasesSplit => "cases: split",
+            Self::ModulusCases => "modulus: cases",
+            Self::ModulusBounds => "modulus: bounds",
+            Self::ComplexParts => "complex: parts",
+            Self::CauchySchwarz => "modulus: Cauchy-Schwarz",
+            Self::InequalityDerivatives => "inequality: signs of derivatives",
+            Self::InverseRange => "inverse: range",
+        })
+    }
+}

@@ -1,0 +1,322 @@
+//! Enclosures of terms without symbols, by intervals of many digits.
+
+use super::polynomial::Polynomial;
+use super::term::{Elementary, Node, Term, Terms};
+use num_traits::{One, Zero};
+use numbers::{Analytic, Endpoint, Field, Interval, Rational, Wide};
+use std::collections::HashMap;
+
+/// The digits tried, one after the other, until a sign is certain.
+type First = Interval<Wide<40>>;
+type Second = Interval<Wide<150>>;
+
+/// The sign of a polynomial without symbols: 1 or -1, where an enclosure shows it.
+pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
+    let certain = |positive: bool, negative: bool| match (positive, negative) {
+        (true, _) => Some(1),
+        (_, true) => Some(-1),
+        _ => None,
+    };
+    if let Some(value) = polynomial.as_constant() {
+        let zero = Rational::zero();
+        return certain(value > zero, value < zero);
+    }
+    if polynomial.generators().iter().any(|&term| !terms.is_closed(term)) {
+        return None;
+    }
+    let first: Option<First> = enclose(terms, polynomial);
+    let found = first.and_then(|value| certain(value.is_positive(), value.is_negative()));
+    found.or_else(|| {
+        let second: Second = enclose(terms, polynomial)?;
+        certain(second.is_positive(), second.is_negative())
+    })
+}
+
+/// An enclosure of a polynomial whose generators have values; `None` where one has none for certain.
+pub fn enclose<E: Endpoint>(terms: &Terms, polynomial: &Polynomial) -> Option<Interval<E>> {
+    let mut known = HashMap::new();
+    let mut sum = Interval::<E>::zero();
+    for (monomial, coefficient) in polynomial.terms() {
+        let mut product = rational(&Rational(coefficient.clone()))?;
+        for &(term, power) in monomial {
+            let base = term_value(terms, term, &mut known)?;
+            product *= base.to_power(i32::try_from(power).ok().filter(|power| *power < 100_000)?);
+        }
+        sum += product;
+    }
+    sum.is_finite().then_some(sum)
+}
+
+/// An enclosure of a term that holds no symbol and no unknown function.
+pub fn term_value<E: Endpoint>(
+    terms: &Terms,
+    term: Term,
+    known: &mut HashMap<Term, Interval<E>>,
+) -> Option<Interval<E>> {
+    for inner in terms.inside(term) {
+        if known.contains_key(&inner) {
+            continue;
+        }
+        let of = |part: &Term| known.get(part).cloned();
+        let value = match terms.node(inner) {
+            Node::Number(value) => rational(value)?,
+            Node::Pi => <Interval<E> as Analytic>::pi(),
+            Node::Sum(parts) => {
+                let parts: Option<Vec<_>> = parts.iter().map(of).collect();
+                parts?.into_iter().fold(Interval::zero(), |sum, part| sum + part)
+            }
+            Node::Product(parts) => {
+                let parts: Option<Vec<_>> = parts.iter().map(of).collect();
+                parts?.into_iter().fold(Interval::one(), |product, part| product * part)
+            }
+            Node::Power(base, exponent) => {
+                (0..=100_000).contains(exponent).then_some(())?;
+                of(base)?.to_power(*exponent)
+            }
+            Node::Quotient(above, below) => {
+                let below = of(below)?;
+                (!below.contains_zero()).then_some(())?;
+                of(above)? / below
+            }
+            Node::RealPower(base, exponent) => {
+                let base = of(base)?;
+                base.is_positive().then_some(())?;
+                exp(&(of(exponent)? * ln(&base)))
+            }
+            Node::Elementary(function, of_term) => elementary(*function, &of(of_term)?)?,
+            Node::Symbol(_) | Node::Value(..) | Node::Imaginary => return None,
+        };
+        value.is_finite().then_some(())?;
+        known.insert(inner, value);
+    }
+    known.get(&term).cloned()
+}
+
+/// A complex number: its real part, and its imaginary part unless that is exactly 0.
+pub type Complex<E> = (Interval<E>, Option<Interval<E>>);
+
+/// The signs of the real and the imaginary part of a polynomial over complex numbers, principal branches throughout;
+/// `None` of a part that is not separated from 0.
+pub fn complex_signs(terms: &Terms, polynomial: &Polynomial) -> Option<[Option<i8>; 2]> {
+    let mut known: HashMap<Term, Complex<Wide<40>>> = HashMap::new();
+    let mut sum: Complex<Wide<40>> = (Interval::zero(), None);
+    for (monomial, coefficient) in polynomial.terms() {
+        let mut product: Complex<Wide<40>> = (rational(&Rational(coefficient.clone()))?, None);
+        for &(term, power) in monomial {
+            let base = complex_value(terms, term, &mut known)?;
+            for _ in 0..(power <= 1000).then_some(power)? {
+                product = times(&product, &base);
+            }
+        }
+        sum = plus(&sum, &product);
+    }
+    let sign = |part: &Interval<Wide<40>>| match (part.is_finite(), part.is_positive(), part.is_negative()) {
+        (true, true, _) => Some(1),
+        (true, _, true) => Some(-1),
+        _ => None,
+    };
+    let imaginary = match &sum.1 {
+        Some(part) => sign(part),
+        None => Some(0),
+    };
+    Some([sign(&sum.0), imaginary])
+}
+
+fn plus<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
+    let imaginary = match (&a.1, &b.1) {
+        (Some(x), Some(y)) => Some(x.clone() + y.clone()),
+        (part, None) | (None, part) => part.clone(),
+    };
+    (a.0.clone() + b.0.clone(), imaginary)
+}
+
+fn times<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
+    let real = a.0.clone() * b.0.clone();
+    match (&a.1, &b.1) {
+        (None, None) => (real, None),
+        (Some(x), None) => (real, Some(x.clone() * b.0.clone())),
+        (None, Some(y)) => (real, Some(a.0.clone() * y.clone())),
+        (Some(x), Some(y)) => (
+            real - x.clone() * y.clone(),
+            Some(a.0.clone() * y.clone() + x.clone() * b.0.clone()),
+        ),
+    }
+}
+
+/// An enclosure of a term that holds no symbol and no unknown function, over complex numbers.
+fn complex_value<E: Endpoint>(terms: &Terms, term: Term, known: &mut HashMap<Term, Complex<E>>) -> Option<Complex<E>> {
+    for inner in terms.inside(term) {
+        if known.contains_key(&inner) {
+            continue;
+        }
+        let of = |part: &Term| known.get(part).cloned();
+        let one = || (Interval::<E>::one(), None);
+        let value = match terms.node(inner) {
+            Node::Number(value) => (rational(value)?, None),
+            Node::Pi => (<Interval<E> as Analytic>::pi(), None),
+            Node::Imaginary => (Interval::zero(), Some(Interval::one())),
+            Node::Sum(parts) => {
+                let parts: Option<Vec<_>> = parts.iter().map(of).collect();
+                parts?
+                    .iter()
+                    .fold((Interval::zero(), None), |sum, part| plus(&sum, part))
+            }
+            Node::Product(parts) => {
+                let parts: Option<Vec<_>> = parts.iter().map(of).collect();
+                parts?.iter().fold(one(), |product, part| times(&product, part))
+            }
+            Node::Power(base, exponent) => {
+                let base = of(base)?;
+                (0..=1000).contains(exponent).then_some(())?;
+                (0..*exponent).fold(one(), |power, _| times(&power, &base))
+            }
+            Node::Quotient(above, below) => {
+                let (above, below) = (of(above)?, of(below)?);
+                match below.1 {
+                    None => {
+                        (!below.0.contains_zero()).then_some(())?;
+                        (above.0 / below.0.clone(), above.1.map(|part| part / below.0))
+                    }
+                    Some(y) => {
+                        let size = below.0.to_power(2) + y.to_power(2);
+                        (!size.contains_zero()).then_some(())?;
+                        let above = times(&above, &(below.0, Some(-y)));
+                        (above.0 / size.clone(), above.1.map(|part| part / size))
+                    }
+                }
+            }
+            Node::RealPower(base, exponent) => complex_exp(&times(&of(exponent)?, &complex_ln(&of(base)?)?)),
+            Node::Elementary(function, of_term) => {
+                let at = of(of_term)?;
+                match (function, &at.1) {
+                    (Elementary::Exp, _) => complex_exp(&at),
+                    (Elementary::Ln, _) => complex_ln(&at)?,
+                    (Elementary::Root(index), Some(_)) => complex_root(&at, *index)?,
+                    (Elementary::Root(index), None) if !at.0.is_positive() => complex_root(&at, *index)?,
+                    (Elementary::Sin | Elementary::Cos, Some(y)) => {
+                        let (sine, cosine) = at.0.sincos();
+                        let (above, below) = (exp(y), exp(&-y.clone()));
+                        let two = Interval::from_integer(2);
+                        let wide = (above.clone() + below.clone()) / two.clone();
+                        let odd = (above - below) / two;
+                        match function {
+                            Elementary::Sin => (sine * wide, Some(cosine * odd)),
+                            _ => (cosine * wide, Some(-(sine * odd))),
+                        }
+                    }
+                    (Elementary::Arcsin | Elementary::Arccos, None) => {
+                        let inside = |part: Interval<E>| part.is_positive().then_some(());
+                        inside(Interval::one() - at.0.clone())?;
+                        inside(Interval::one() + at.0.clone())?;
+                        (elementary(*function, &at.0)?, None)
+                    }
+                    (_, None) => (elementary(*function, &at.0)?, None),
+                    _ => return None,
+                }
+            }
+            Node::Symbol(_) | Node::Value(..) => return None,
+        };
+        let finite = value.0.is_finite() && value.1.as_ref().is_none_or(Interval::is_finite);
+        finite.then_some(())?;
+        known.insert(inner, value);
+    }
+    known.get(&term).cloned()
+}
+
+fn complex_exp<E: Endpoint>(at: &Complex<E>) -> Complex<E> {
+    let size = exp(&at.0);
+    match &at.1 {
+        None => (size, None),
+        Some(y) => {
+            let (sine, cosine) = y.sincos();
+            (size.clone() * cosine, Some(size * sine))
+        }
+    }
+}
+
+/// The principal logarithm: the argument is more than -pi and at most pi.
+fn complex_ln<E: Endpoint>(at: &Complex<E>) -> Option<Complex<E>> {
+    match &at.1 {
+        None if at.0.is_positive() => Some((ln(&at.0), None)),
+        None if at.0.is_negative() => Some((ln(&-at.0.clone()), Some(<Interval<E> as Analytic>::pi()))),
+        None => None,
+        Some(y) => {
+            let off_the_cut = at.0.is_positive() || y.is_positive() || y.is_negative();
+            off_the_cut.then_some(())?;
+            let size = at.0.to_power(2) + y.to_power(2);
+            size.is_positive().then_some(())?;
+            Some((ln(&size) / Interval::from_integer(2), Some(y.atan2(&at.0))))
+        }
+    }
+}
+
+fn complex_root<E: Endpoint>(at: &Complex<E>, index: u32) -> Option<Complex<E>> {
+    let index = Interval::from_integer(i64::from(index));
+    let logarithm = complex_ln(at)?;
+    let part = (logarithm.0 / index.clone(), logarithm.1.map(|part| part / index));
+    Some(complex_exp(&part))
+}
+
+fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
+    let (above, below) = (value.0.numerator(), value.0.denominator());
+    let whole = |digits: &str| -> Interval<E> {
+        // nine digits at a time, so that every step is exact in f64 and rounded outward in E
+        let mut sum = Interval::<E>::zero();
+        for chunk in digits.as_bytes().chunks(9) {
+            let part = chunk.iter().fold(0_i64, |n, digit| 10 * n + i64::from(digit - b'0'));
+            let scale = 10_i64.pow(u32::try_from(chunk.len()).unwrap_or(9));
+            sum = sum * Interval::from_integer(scale) + Interval::from_integer(part);
+        }
+        sum
+    };
+    let text = above.to_string();
+    let size = whole(text.trim_start_matches('-'));
+    let value = size / whole(&below.to_string());
+    let value = if text.starts_with('-') { -value } else { value };
+    value.is_finite().then_some(value)
+}
+
+fn exp<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
+    Interval::new(of.low().bounded_exp().below(), of.high().bounded_exp().above())
+}
+
+fn ln<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
+    Interval::new(of.low().bounded_ln().below(), of.high().bounded_ln().above())
+}
+
+fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Interval<E>> {
+    let half_turn = || <Interval<E> as Analytic>::pi() / Interval::from_integer(2);
+    Some(match function {
+        Elementary::Sin => of.sincos().0,
+        Elementary::Cos => of.sincos().1,
+        Elementary::Exp => exp(of),
+        Elementary::Ln => {
+            of.is_positive().then_some(())?;
+            ln(of)
+        }
+        Elementary::Root(2) => {
+            (of.low() >= E::zero()).then_some(())?;
+            of.sqrt()
+        }
+        Elementary::Root(index) => {
+            let root = |of: &Interval<E>| exp(&(ln(of) / Interval::from_integer(i64::from(index))));
+            if of.is_positive() {
+                root(of)
+            } else if of.is_negative() && index % 2 == 1 {
+                -root(&-of.clone())
+            } else {
+                return None;
+            }
+        }
+        Elementary::Arcsin | Elementary::Arccos => {
+            (of.low() >= -E::one() && of.high() <= E::one()).then_some(())?;
+            let cosine = Analytic::acos(of);
+            if function == Elementary::Arccos {
+                cosine
+            } else {
+                half_turn() - cosine
+            }
+        }
+        Elementary::Arctan => of.atan2(&Interval::one()),
+    })
+}

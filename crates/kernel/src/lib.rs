@@ -1,0 +1,48 @@
+#![doc = include_str!("../README.md")]
+//!
+//! The kernel: the statement of a claim, and the certificates and witnesses that decide it.
+//!
+//! Nothing else can make a [`Proved`] or a [`Refuted`]. Trusted are the reader of TeX, the symbol table, this crate, and
+//! of `numbers` the exact [`Rational`](numbers::Rational) and the enclosures [`Interval`](numbers::Interval)
+//! over [`Wide`](numbers::Wide) with their `sqrt`, `sincos`, `acos`, `atan2`, `bounded_exp` and `bounded_ln`.
+//! Whatever searches for a certificate is not trusted.
+
+// Library code never panics by its own word: errors are returned.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::todo,
+        clippy::unimplemented,
+        clippy::unreachable
+    )
+)]
+
+mod build;
+mod certificate;
+mod check;
+mod enclosure;
+mod expand;
+mod implicit;
+mod polynomial;
+mod statement;
+mod term;
+mod verdict;
+mod witness;
+
+pub use build::{Question, Unreadable, questions};
+pub use certificate::{Axiom, Certificate, Inference, LawSource, Summand};
+pub use check::{Checker, Fact};
+pub use enclosure::{enclose, sign, term_value};
+pub use expand::{Expansion, Quotient, Refusal, vanishes};
+pub use polynomial::{Monomial, Polynomial, product};
+pub use statement::{
+    CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step,
+};
+pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
+pub use verdict::{
+    EFFORT, Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
+};
+pub use witness::{At, Witness};

@@ -1,0 +1,690 @@
+#![doc = include_str!("../README.md")]
+//!
+//! The search for proofs and counterexamples, and the verdicts. What the search finds for a goal, the kernel accepts or not;
+//! that the goals of a claim decide it is trusted, as are the reductions that they come from.
+
+// Library code never panics by its own word: errors are returned.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::todo,
+        clippy::unimplemented,
+        clippy::unreachable
+    )
+)]
+
+pub mod algebra;
+pub mod checksum;
+
+mod angles;
+mod constants;
+mod counterexample;
+mod decision;
+mod dividing;
+mod evaluation;
+mod explanation;
+mod float;
+mod formula;
+mod inverse;
+mod laws;
+mod logarithms;
+mod point;
+mod print;
+mod proof;
+mod roots;
+mod script;
+mod session;
+mod signs;
+mod values;
+
+pub use counterexample::Counterexample;
+pub use decision::{Decision, mention_refuted};
+pub use explanation::{Explanation, explain, formula};
+pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
+
+use claims::{
+    Fault, Goal, Reduced, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values,
+};
+use texmath::{DoubtKind, Equation, Name, Tree, any_side};
+
+/// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
+fn negative_power(equation: &Equation) -> Option<Tree> {
+    let mut found = None;
+    let mut is_one = |node: &Tree| {
+        if let Tree::RealPower(base, ..) = node
+            && matches!(&**base, Tree::Negate(inner) if matches!(**inner, Tree::Number(_)))
+        {
+            found = Some(node.clone());
+        }
+        found.is_some()
+    };
+    any_side(equation, &mut is_one);
+    found
+}
+
+/// How far the search goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// The limit in steps, as a multiple of the usual one.
+    pub effort: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { effort: 1 }
+    }
+}
+
+/// Decides the claim at a position of the sheet. What cannot be read is `unread`; what follows from such is
+/// `undecided`.
+pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
+    let entry = sheet.entries.get(position);
+    let standing = entry.map(|entry| entry.standing).unwrap_or_default();
+    if standing == Standing::Definition
+        && let Some(entry) = entry.filter(|entry| entry.unread.is_none())
+    {
+        let name = entry.equations.first().map(|equation| equation.left.to_string());
+        let reason = name.map_or("a definition".to_owned(), |name| format!("a definition of `{name}`"));
+        return Decision::of(sheet, position).given(reason);
+    }
+    if let (Standing::Definition | Standing::Law, Some(fault)) =
+        (standing, entry.and_then(|entry| entry.unread.as_ref()))
+    {
+        return Decision::of(sheet, position).given(given_unread(standing, fault));
+    }
+    let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
+    match (standing, decision.verdict) {
+        (Standing::Law, Verdict::Undecided) => {
+            let reason = format!(
+                "a law, if it does not follow from what stands before it: {}",
+                decision.reason
+            );
+            decision.given(reason)
+        }
+        _ => decision,
+    }
+}
+
+/// The reason why a formula that cannot be read is given.
+fn given_unread(standing: Standing, fault: &Fault) -> String {
+    let what = match standing {
+        Standing::Definition => "a definition",
+        _ => "said, not derived",
+    };
+    format!("{what}; not all of it is read: {}", fault.message)
+}
+
+/// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
+pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
+    let mut search = Search::of(sheet, position, options);
+    search.kept = Some(Vec::new());
+    let verdict = search.decide_readings(sheet, position).verdict;
+    let mut kept = search.kept.unwrap_or_default();
+    kept.retain(|one| one.found.verdict() == verdict);
+    kept
+}
+
+/// The search for what decides one claim.
+struct Search<'a> {
+    /// The decision before anything is known.
+    start: Decision,
+    /// The reason of a proof.
+    reason: String,
+    /// The claim as it was read, in TeX.
+    printed: String,
+    options: &'a Options,
+    /// What decides the questions that were met, where it is asked for.
+    kept: Option<Vec<Decided>>,
+}
+
+impl<'a> Search<'a> {
+    fn of(sheet: &Sheet, position: usize, options: &'a Options) -> Self {
+        Self {
+            start: Decision::of(sheet, position),
+            reason: follows_from(sheet, position),
+            printed: sheet
+                .entries
+                .get(position)
+                .map_or_else(String::new, |entry| entry.tex.tex.clone()),
+            options,
+            kept: None,
+        }
+    }
+
+    /// Decides a claim, and in its other readings too, where these are known: what is so in all of them stands.
+    fn decide_readings(&mut self, sheet: &Sheet, position: usize) -> Decision {
+        let decision = self.decide(sheet, position);
+        let mut doubts = sheet.doubts(position);
+        let is_open = match decision.verdict {
+            Verdict::Refuted => true,
+            Verdict::Proved => !doubts.iter().all(DoubtKind::spares_proofs),
+            _ => false,
+        };
+        if is_open {
+            let (otherwise, places) = sheet.read_otherwise(position);
+            let is_same = |sheet: &Sheet| {
+                Search::of(sheet, position, self.options)
+                    .decide(sheet, position)
+                    .verdict
+                    == decision.verdict
+            };
+            if otherwise.iter().all(is_same) {
+                doubts.retain(|kind| !places.contains(kind));
+            }
+        }
+        if decision.verdict == Verdict::Refuted {
+            // where a letter has no part in the counterexample, no value of it helps
+            let point = decision.counterexample.iter().flat_map(|own| &own.point);
+            let named: Vec<&String> = point.map(|(name, _)| name).collect();
+            let is_named = |name: &Name| named.iter().any(|known| known.contains(&name.to_string()));
+            doubts.retain(|kind| !matches!(kind, DoubtKind::OfSome(name) if !is_named(name)));
+        }
+        decision.on_doubts(doubts)
+    }
+
+    fn decide(&mut self, sheet: &Sheet, position: usize) -> Decision {
+        let goals = match goals(sheet, position) {
+            Ok(goals) => goals,
+            Err(decision) => return *decision,
+        };
+        let decision = self.together(&goals);
+        let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
+        let further = match (decision.verdict, goals.sufficient.as_slice()) {
+            (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
+                reduced_by_cases(&goal.statements, &goal.symbols)
+            }
+            _ => None,
+        };
+        let further = further.map(|mut further| {
+            further.lemmas.extend(goals.lemmas.iter().cloned());
+            self.together(&further)
+        });
+        let decision = match further {
+            Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
+            _ => decision,
+        };
+        let thin = match (decision.verdict, goals.sufficient.as_slice()) {
+            (Verdict::Proved, [goal]) if sheet.entries.get(position).is_some_and(|entry| entry.is_way) => {
+                self.without_value(goal).or_else(|| self.thin(goal))
+            }
+            (Verdict::Proved, [goal]) => self.thin(goal),
+            _ => None,
+        };
+        thin.unwrap_or(decision)
+    }
+
+    /// Of a way of an equivalence that is proved but may have no value where what is assumed holds: that the solutions of the
+    /// two sides are not shown to be the same.
+    fn without_value(&mut self, goal: &Goal) -> Option<Decision> {
+        let known = self.known();
+        let values = values(goal).into_iter();
+        let mut open = values.filter(|(_, goal)| self.settled(goal).verdict != Verdict::Proved);
+        let found = open.next();
+        drop(open);
+        self.forget(known);
+        let (condition, _) = found?;
+        Some(Decision {
+            reason: format!(
+                "holds where it has a value, but {condition} is not shown where the other side of the arrow holds"
+            ),
+            ..self.start.clone()
+        })
+    }
+
+    /// Of a claim that is proved but has a value on a thin set alone: that it says next to nothing. Mostly a sign under a
+    /// root is wrong.
+    fn thin(&mut self, goal: &Goal) -> Option<Decision> {
+        let known = self.known();
+        let found = thin_domains(goal).into_iter().find(|(_, goal)| {
+            let found = self.settled(goal);
+            found.verdict == Verdict::Proved && !found.is_vacuous
+        });
+        self.forget(known);
+        let (radicand, _) = found?;
+        Some(Decision {
+            reason: format!(
+                "has a value only where {radicand} = 0: this is nowhere above 0, by what is given and what else must have a value"
+            ),
+            ..self.start.clone()
+        })
+    }
+
+    /// What the goals of a claim come to together.
+    fn together(&mut self, goals: &Reduced) -> Decision {
+        let mut shown = Vec::new();
+        for lemma in &goals.lemmas {
+            let found = self.settled_otherwise(lemma);
+            if found.verdict != Verdict::Proved {
+                return Decision {
+                    reason: format!("{} is not shown: {}", lemma.part, found.reason),
+                    ..self.start.clone()
+                };
+            }
+            shown.push(found);
+        }
+        for goal in &goals.necessary {
+            let known = self.known();
+            let found = self.settled_otherwise(goal);
+            if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
+                return found.in_part(&goal.part);
+            }
+            // what is necessary shows nothing where it holds
+            self.forget(known);
+        }
+        let (mut met, mut vacuous, mut open) = (0, None, None);
+        for goal in &goals.sufficient {
+            let found = self.settled_otherwise(goal);
+            match found.verdict {
+                // a case that nothing is in says nothing, where another one holds
+                Verdict::Undecided | Verdict::Refuted if found.is_vacuous && goals.sufficient.len() > 1 => {
+                    vacuous = Some(found.in_part(&goal.part));
+                }
+                Verdict::Proved => {
+                    met += 1;
+                    shown.push(found);
+                }
+                // what is enough for the claim may fail where the claim holds
+                Verdict::Refuted if !goals.is_equivalent => {
+                    let part = if goal.part.is_empty() {
+                        "what would prove it"
+                    } else {
+                        &goal.part
+                    };
+                    open = Some(Decision {
+                        reason: format!("no counterexample is found, nor a proof: {part} fails"),
+                        ..self.start.clone()
+                    });
+                    break;
+                }
+                Verdict::Refuted | Verdict::Unread => {
+                    return found.in_part(&goal.part);
+                }
+                Verdict::Undecided | Verdict::Given | Verdict::Suspect => open = Some(found.in_part(&goal.part)),
+            }
+        }
+        match (vacuous, open) {
+            _ if goals.sufficient.is_empty() => Decision {
+                reason: format!("no counterexample is found, nor a proof: {}", goals.reason),
+                ..self.start.clone()
+            },
+            (_, Some(open)) => open,
+            (Some(found), None) if met == 0 || !goals.is_equivalent => Decision {
+                verdict: Verdict::Undecided,
+                ..found
+            },
+            _ => {
+                let mut decision = Decision {
+                    reason: self.reason.clone(),
+                    ..self.start.clone()
+                };
+                decision.conclude(shown);
+                decision
+            }
+        }
+    }
+
+    /// How much is kept.
+    fn known(&self) -> usize {
+        self.kept.as_ref().map_or(0, Vec::len)
+    }
+
+    /// Drops what was kept since.
+    fn forget(&mut self, known: usize) {
+        if let Some(kept) = &mut self.kept {
+            kept.truncate(known);
+        }
+    }
+
+    /// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands.
+    fn settled_otherwise(&mut self, goal: &Goal) -> Decision {
+        let known = self.known();
+        let decision = self.settled(goal);
+        if decision.verdict != Verdict::Undecided || decision.is_vacuous {
+            return decision;
+        }
+        self.forget(known);
+        let claims = other_ways(&goal.statements, &goal.symbols);
+        let mut shown = Vec::new();
+        for ways in &claims {
+            match ways.iter().find_map(|way| self.holding(way)) {
+                Some(goals) => shown.extend(goals),
+                None => {
+                    self.forget(known);
+                    return decision;
+                }
+            }
+        }
+        if shown.is_empty() {
+            return decision;
+        }
+        let mut decision = self.start.clone();
+        decision.conclude(shown);
+        decision
+    }
+
+    /// The decisions on the goals where all are proved, for every number: a derivative must have its sign everywhere, and what
+    /// is provided for one number is no proof.
+    fn holding(&mut self, way: &[Goal]) -> Option<Vec<Decision>> {
+        let known = self.known();
+        let mut shown = Vec::new();
+        for goal in way {
+            let found = self.settled(goal);
+            if found.verdict != Verdict::Proved || !found.provided.is_empty() {
+                self.forget(known);
+                return None;
+            }
+            shown.push(found);
+        }
+        Some(shown)
+    }
+
+    /// Decides one goal of a claim.
+    fn settled(&mut self, goal: &Goal) -> Decision {
+        let mut decision = self.start.clone();
+        let questions = match kernel::questions(&goal.statements, &goal.symbols) {
+            Ok(questions) => questions,
+            Err(fault) => {
+                decision.verdict = Verdict::Unread;
+                decision.reason = fault.to_string();
+                return decision;
+            }
+        };
+        decision.rules.clone_from(&goal.statements.rules);
+        let mut is_open = false;
+        let mut proofs = Vec::new();
+        for question in questions {
+            let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, self.options.effort));
+            // a fault of the search costs its own claim a verdict, and no other
+            let outcome = std::panic::catch_unwind(search).unwrap_or_else(|_| Outcome::Undecided(BROKE_DOWN.into()));
+            match outcome {
+                Outcome::Proved(proof, certificate, point) => {
+                    let terms = certificate.statement.terms();
+                    let excluded = proof.excluded().iter();
+                    let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
+                    decision.provide(proof.provided().iter().cloned().chain(excluded));
+                    if decision.point.is_empty() {
+                        decision.point = counterexample::point(&point);
+                    }
+                    proofs.push(proof);
+                    self.keep(goal, question, Found::Proved { certificate, point });
+                }
+                Outcome::Refuted(refuted, witness) => {
+                    let power = negative_power(&question.equation);
+                    if let Some(power) = power.filter(|_| refuted.is_nowhere_defined()) {
+                        is_open = true;
+                        decision.reason = format!(
+                            "`{power}` has a value where its exponent is written as a polynomial with integer coefficients: nowhere defined as it is"
+                        );
+                        break;
+                    }
+                    decision.accept_refutation(&refuted);
+                    decision.failed = Some(question.equation.clone());
+                    if decision.is_vacuous {
+                        decision.reason = "nowhere defined".into();
+                        break;
+                    }
+                    // what nothing is named for is judged as an identity
+                    decision.reason = match self.reason.as_str() {
+                        AN_IDENTITY => "not an identity, and it names nothing that it follows from".into(),
+                        _ => "does not follow from its premises".into(),
+                    };
+                    decision.counterexample = counterexample::at(&witness, question.equation.relation);
+                    decision
+                        .doubts
+                        .extend(dividing::doubt(goal, &question, self.options.effort));
+                    self.keep(goal, question, Found::Refuted { witness });
+                    break;
+                }
+                Outcome::Contradictory(labels) => {
+                    let labels: Vec<String> = labels.iter().map(|label| format!("({label})")).collect();
+                    is_open = true;
+                    decision.is_vacuous = true;
+                    decision.reason = match labels.as_slice() {
+                        [single] => format!("the premise {single} contradicts itself"),
+                        _ => format!("the premises {} contradict each other", labels.join(", ")),
+                    };
+                    decision.failed = Some(question.equation.clone());
+                }
+                Outcome::Undecided(reason) => {
+                    is_open = true;
+                    decision.reason = reason;
+                    decision.failed = Some(question.equation.clone());
+                }
+            }
+        }
+        if !is_open && decision.verdict != Verdict::Refuted {
+            decision.accept_proofs(&proofs);
+        }
+        decision
+    }
+
+    fn keep(&mut self, goal: &Goal, question: kernel::Question, found: Found) {
+        if let Some(kept) = &mut self.kept {
+            kept.push(Decided {
+                label: self.start.label.clone(),
+                printed: self.printed.clone(),
+                question,
+                found,
+                goal: goal.clone(),
+            });
+        }
+    }
+}
+
+/// The goals that a claim comes to; itself, where it is about numbers.
+fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
+    let statements = Decision::without_search(sheet, position)?;
+    match reduced(&statements, &sheet.symbols) {
+        Ok(Some(reduced)) => Ok(reduced),
+        Ok(None) => {
+            let goal = Goal {
+                statements,
+                symbols: sheet.symbols.clone(),
+                part: String::new(),
+            };
+            Ok(Reduced::itself(goal))
+        }
+        Err(reason) => Err(Box::new(Decision {
+            reason,
+            ..Decision::of(sheet, position)
+        })),
+    }
+}
+
+/// The reason of a claim at which the search itself fails.
+const BROKE_DOWN: &str = "the search broke down here, which is a fault of this program: please report the sheet";
+
+/// The reason of a claim without premises.
+const AN_IDENTITY: &str = "an identity";
+
+fn follows_from(sheet: &Sheet, position: usize) -> String {
+    let premises = sheet
+        .entries
+        .get(position)
+        .map(|entry| entry.follows_from.as_slice())
+        .unwrap_or_default();
+    let labels = premises
+        .iter()
+        .filter_map(|&n| sheet.entries.get(n))
+        .map(|entry| format!("({})", entry.label));
+    let labels: Vec<String> = labels.collect();
+    match labels.is_empty() {
+        true => AN_IDENTITY.to_string(),
+        false => format!("follows from {}", labels.join(", ")),
+    }
+}
+
+/// What came of a question.
+enum Outcome {
+    Proved(
+        kernel::Proved,
+        Box<kernel::With<kernel::Certificate>>,
+        Box<kernel::With<kernel::Witness>>,
+    ),
+    Refuted(kernel::Refuted, Box<kernel::With<kernel::Witness>>),
+    /// The labels of a smallest set of premises that contradict each other.
+    Contradictory(Vec<String>),
+    Undecided(String),
+}
+
+/// Steps of the search for a proof, and for a contradiction, for each unit of effort.
+const PROOF_STEPS: u64 = 5_000_000;
+const QUICK_STEPS: u64 = 1_000_000;
+const CONTRADICTION_STEPS: u64 = 300_000;
+
+/// Points of the premises at which the claim holds, before it is taken to be true rather than false.
+const ENOUGH_POINTS: usize = 4;
+
+fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
+    // a point of the premises comes first: a wrong formula costs less than its proof would, a proof needs one anyway
+    let mut point = None;
+    let plain = evaluation::points(statement).into_iter().filter_map(|witness| {
+        let evaluated = kernel::evaluate(statement, &witness).ok()?;
+        Some((witness, evaluated))
+    });
+    let searched = std::iter::once_with(|| points(statement, point::Wanted::Either, effort)).flatten();
+    for (place, (witness, evaluated)) in plain.chain(searched).enumerate() {
+        match evaluated {
+            kernel::Evaluated::Fails(refuted) => return Outcome::Refuted(refuted, Box::new(witness)),
+            kernel::Evaluated::Holds(found) => point = Some((witness, found)),
+        }
+        if place + 1 >= ENOUGH_POINTS {
+            break;
+        }
+    }
+    // what holds at the points met is likely to be true
+    let quick = match point {
+        Some(_) => QUICK_STEPS,
+        None => QUICK_STEPS / 5,
+    };
+    let mut certificate = proof::search(statement, quick);
+    if certificate.is_none() {
+        if let Some((witness, kernel::Evaluated::Fails(refuted))) = points(statement, point::Wanted::Failure, effort) {
+            return Outcome::Refuted(refuted, Box::new(witness));
+        }
+        certificate = proof::search(statement, PROOF_STEPS * effort);
+    }
+    let follows = certificate.is_some();
+    // that what is written has a value is a question of its own, which says nothing of the claim
+    let is_identity = certificate.as_ref().is_some_and(|certificate| {
+        let of_nothing =
+            |step: &kernel::Inference| matches!(step, kernel::Inference::Zero { target, .. } if target.is_zero());
+        certificate.evidence.steps.iter().all(of_nothing)
+    });
+    if let Some(certificate) = certificate
+        && let Some((proved, witness)) = proved(statement, &certificate, point, effort)
+    {
+        return Outcome::Proved(proved, Box::new(certificate), Box::new(witness));
+    }
+    without_points(statement, effort).unwrap_or_else(|| {
+        let reason = match follows {
+            true if is_identity => "no point is found at which the premises hold and all that is written is defined",
+            true => "it follows, but no point is found at which all that is written is defined and holds",
+            false => "neither a proof nor a counterexample is found",
+        };
+        Outcome::Undecided(reason.into())
+    })
+}
+
+/// A claim that follows is proved where a point is found at which its premises hold, and that the proof does not exclude.
+fn proved(
+    statement: &kernel::Statement,
+    certificate: &kernel::With<kernel::Certificate>,
+    known: Option<(kernel::With<kernel::Witness>, kernel::Point)>,
+    effort: u64,
+) -> Option<(kernel::Proved, kernel::With<kernel::Witness>)> {
+    if let Some((witness, point)) = known
+        && let Ok(proved) = kernel::prove(statement, certificate, &point)
+    {
+        return Some((proved, witness));
+    }
+    let mut proved = None;
+    let witness = point::search(statement, point::Wanted::Premises, effort, &mut |witness| {
+        if let Ok(kernel::Evaluated::Holds(point)) = kernel::evaluate(statement, witness) {
+            proved = kernel::prove(statement, certificate, &point).ok();
+        }
+        proved.is_some()
+    })?;
+    Some((proved?, witness))
+}
+
+/// A point at which the premises hold, and whether the claim fails there.
+fn points(
+    statement: &kernel::Statement,
+    wanted: point::Wanted,
+    effort: u64,
+) -> Option<(kernel::With<kernel::Witness>, kernel::Evaluated)> {
+    let mut found = None;
+    let witness = point::search(statement, wanted, effort, &mut |witness| {
+        found = kernel::evaluate(statement, witness)
+            .ok()
+            .filter(|evaluated| wanted != point::Wanted::Failure || matches!(evaluated, kernel::Evaluated::Fails(_)));
+        found.is_some()
+    })?;
+    Some((witness, found?))
+}
+
+/// What is to be said where all that is given, with the domain of the claim, contradicts itself.
+fn without_points(statement: &kernel::Statement, effort: u64) -> Option<Outcome> {
+    let budget = CONTRADICTION_STEPS * effort;
+    let certificate = proof::contradiction(statement, budget).filter(|found| kernel::contradicts(found).is_ok())?;
+    let mut refuted = None;
+    let witness = point::search(statement, point::Wanted::PremisesAlone, effort, &mut |witness| {
+        refuted = kernel::refute_nowhere(statement, &certificate, witness).ok();
+        refuted.is_some()
+    });
+    if let (Some(witness), Some(refuted)) = (witness, refuted) {
+        return Some(Outcome::Refuted(refuted, Box::new(witness)));
+    }
+    smallest_contradiction(&statement.premises(), budget).map(Outcome::Contradictory)
+}
+
+/// The labels of givens that contradict each other, none of which can be left out.
+fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<Vec<String>> {
+    let contradicts = |kept: &[String]| {
+        let fewer = premises.with_givens(&|given| kept.contains(&given.label));
+        proof::contradiction(&fewer, budget).is_some_and(|found| kernel::contradicts(&found).is_ok())
+    };
+    let mut kept: Vec<String> = Vec::new();
+    for given in premises.givens() {
+        if !kept.contains(&given.label) {
+            kept.push(given.label.clone());
+        }
+    }
+    if !contradicts(&kept) {
+        return None;
+    }
+    let mut place = 0;
+    while place < kept.len() && kept.len() <= 40 {
+        let mut fewer = kept.clone();
+        fewer.remove(place);
+        match contradicts(&fewer) {
+            true => kept = fewer,
+            false => place += 1,
+        }
+    }
+    Some(kept)
+}
+
+/// The certificates that the search finds for the questions of the claim at a position, each with its statement.
+pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::Certificate>> {
+    let Ok(goals) = goals(sheet, position) else {
+        return Vec::new();
+    };
+    let of = |goal: &Goal| kernel::questions(&goal.statements, &goal.symbols).unwrap_or_default();
+    let questions = goals.lemmas.iter().chain(&goals.sufficient).flat_map(of);
+    questions
+        .filter_map(|question| proof::search(&question.statement, PROOF_STEPS))
+        .collect()
+}
+
+/// Decides each claim, in the order of the sheet. What cannot be read has a row too, whatever its role.
+pub fn audit(sheet: &Sheet, options: &Options) -> Vec<Decision> {
+    let rows = sheet.rows().into_iter();
+    let mut decisions: Vec<Decision> = rows.map(|position| decide(sheet, position, options)).collect();
+    mention_refuted(sheet, decisions.iter_mut());
+    decisions
+}

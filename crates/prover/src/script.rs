@@ -1,0 +1,719 @@
+//! Proofs and counterexamples as Python scripts that check themselves, with SymPy and mpmath and nothing of this crate.
+//!
+//! A script is what is printed, as comments; the statement, the steps and the point, as data; the printed formulas once
+//! more, by another printer, to be compared with the statement at random points; and the checker, `check.py`.
+//!
+//! A script that is cut anywhere does not accept. Its first line makes the end of the program fail; its last line takes
+//! that back once all is checked, and holds the checksum of all lines before it. Each beginning of the first line itself
+//! is an error in Python.
+
+use super::formula::{Formulas, list, quoted};
+use super::{Options, decided};
+use crate::checksum::Checksum;
+use claims::{Goal, Sheet, Verdict};
+use kernel::{
+    Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property, Quantity,
+    Question, Statement, Summand, Symbol, Term, Terms, With, Witness,
+};
+use std::collections::{BTreeSet, HashMap};
+use texmath::Name;
+
+/// The checker, as each script contains it.
+pub const CHECKER: &str = include_str!("check.py");
+
+/// What was found for a question, and accepted by the kernel.
+#[derive(Clone, Debug)]
+pub enum Found {
+    Proved {
+        certificate: Box<With<Certificate>>,
+        point: Box<With<Witness>>,
+    },
+    Refuted {
+        witness: Box<With<Witness>>,
+    },
+}
+
+impl Found {
+    pub(super) fn verdict(&self) -> Verdict {
+        match self {
+            Self::Proved { .. } => Verdict::Proved,
+            Self::Refuted { .. } => Verdict::Refuted,
+        }
+    }
+}
+
+/// A question of a claim with what decides it.
+#[derive(Clone, Debug)]
+pub struct Decided {
+    pub label: String,
+    /// The claim as it was read, in TeX.
+    pub printed: String,
+    pub question: Question,
+    pub found: Found,
+    pub(super) goal: Goal,
+}
+
+/// The scripts of the claim at a position, one for each question that is decided.
+pub fn scripts(sheet: &Sheet, position: usize, options: &Options) -> Vec<String> {
+    decided(sheet, position, options).iter().map(Decided::script).collect()
+}
+
+/// The longest name of a file without its ending: file systems allow 255 bytes.
+const LONGEST_NAME: usize = 200;
+
+/// Returns a file name without its ending for each claim at these positions, from its label. No two are the same, in upper
+/// or lower case, and none has a `-` and a number at its end, which tells several scripts of one claim apart.
+pub fn file_names(sheet: &Sheet, positions: &[usize]) -> Vec<String> {
+    let mut taken: BTreeSet<String> = BTreeSet::new();
+    let named = positions.iter().enumerate().map(|(number, &position)| {
+        let label = sheet.entries.get(position).map_or("", |entry| entry.label.as_str());
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' };
+        let mut name: String = label.chars().map(plain).take(LONGEST_NAME).collect();
+        // a hidden file would be overlooked
+        if !name.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_') {
+            name.insert(0, '_');
+        }
+        if !taken.insert(name.to_ascii_lowercase()) {
+            name = format!("{name}-claim{}", number + 1);
+        }
+        name
+    });
+    named.collect()
+}
+
+impl Decided {
+    /// The script that checks this.
+    pub fn script(&self) -> String {
+        let formulas = Formulas::new(&self.goal.statements, &self.goal.symbols, &self.question);
+        let verdict = match self.found {
+            Found::Proved { .. } => "proved",
+            Found::Refuted { .. } => "refuted",
+        };
+        let mut lines = vec![
+            GUARD.to_string(),
+            format!("# Equation ({}), {verdict} by vibro-audit.", one_line(&self.label)),
+            "# This script checks it again, with SymPy and mpmath (pip install sympy mpmath) and nothing else:".into(),
+            "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
+            "#".into(),
+        ];
+        lines.push(format!("# claim:  {}", one_line(&self.printed)));
+        let rules = &self.goal.statements.rules;
+        if !rules.is_empty() {
+            let rules: Vec<String> = rules.iter().map(ToString::to_string).collect();
+            lines.push(format!("# reduced by:  {}", rules.join("; ")));
+            lines.push(
+                "# These rules are trusted: what is checked here is the goal below, not that it says the claim.".into(),
+            );
+        }
+        if !self.goal.part.is_empty() {
+            lines.push(format!("# part:  {}", one_line(&self.goal.part)));
+        }
+        for premise in &self.goal.statements.premises {
+            let label = one_line(&premise.label);
+            lines.push(format!(
+                "# given ({label}):  {}",
+                one_line(&premise.equation.to_string())
+            ));
+            for local in &premise.locals {
+                let tree = one_line(&local.tree.to_string());
+                lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));
+            }
+        }
+        lines.push(format!("# goal:  {}", one_line(&self.question.equation.to_string())));
+        for local in &self.goal.statements.locals {
+            let tree = one_line(&local.tree.to_string());
+            lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));
+        }
+        if !self.question.instance.is_empty() {
+            lines.push(format!("#     ({})", one_line(&self.question.instance)));
+        }
+        let checker = CHECKER.strip_suffix(SERVES).unwrap_or(CHECKER);
+        let (data, readings) = (self.data(true), formulas.python());
+        sealed(&format!(
+            "{}\n\nDATA = {data}\n\n{readings}\n\n{checker}",
+            lines.join("\n")
+        ))
+    }
+
+    /// The statement with what decides it: JSON, and Python too. On one line or, for readers, on many.
+    pub fn data(&self, lines: bool) -> String {
+        let statement = &self.question.statement;
+        let base = statement.terms().len();
+        let mut fields = vec![match self.found {
+            Found::Proved { .. } => field("verdict", quoted("proved")),
+            Found::Refuted { .. } => field("verdict", quoted("refuted")),
+        }];
+        fields.extend(statement_fields(statement));
+        let empty = With {
+            statement: statement.clone(),
+            evidence: Certificate::default(),
+        };
+        let (certificate, point): (&With<Certificate>, &With<Witness>) = match &self.found {
+            Found::Proved { certificate, point } => (certificate, point),
+            Found::Refuted { witness } => (&empty, witness),
+        };
+        if let Found::Proved { .. } = self.found {
+            let numbers = Numbers::new(certificate, base, &|roots| roots_of(&certificate.evidence, roots));
+            let mut own = numbers.fields(statement, &certificate.statement);
+            own.extend(certificate_fields(&numbers, &certificate.evidence));
+            fields.push(field("proof", format!("{{{}}}", own.join(", "))));
+        }
+        let numbers = Numbers::new(point, base, &|roots| {
+            let witness = &point.evidence;
+            roots.extend(witness.solved.iter().chain(&witness.sample).map(|(_, term)| *term));
+            roots.extend(witness.functions.iter().map(|(.., term)| *term));
+            roots.extend(witness.table.iter().flat_map(|(_, _, at, value)| [*at, *value]));
+            roots_of(&witness.certificate, roots);
+        });
+        let mut own = numbers.fields(statement, &point.statement);
+        own.extend(witness_fields(&numbers, &point.evidence));
+        fields.push(field("point", format!("{{{}}}", own.join(", "))));
+        match lines {
+            true => format!("{{\n    {},\n}}", fields.join(",\n    ")),
+            false => format!("{{{}}}", fields.join(", ")),
+        }
+    }
+
+    /// Another certificate, over the same terms as the one found, as JSON on one line; none where the claim is refuted.
+    pub fn steps(&self, certificate: &Certificate) -> Option<String> {
+        let Found::Proved { certificate: found, .. } = &self.found else {
+            return None;
+        };
+        let numbers = Numbers::new(found, self.question.statement.terms().len(), &|roots| {
+            roots_of(&found.evidence, roots);
+        });
+        Some(format!("{{{}}}", certificate_fields(&numbers, certificate).join(", ")))
+    }
+}
+
+/// The last lines of the checker, where it is a program of its own.
+const SERVES: &str = "\n\nif __name__ == \"__main__\":\n    serve()\n";
+
+/// The first line of a script: the program ends with status 1 unless its last line is reached. No beginning of it is a
+/// program that ends with 0.
+const GUARD: &str = "GUARD = (__import__(\"atexit\").register(lambda: __import__(\"os\")._exit(1)) if __name__ == \
+                     \"__main__\" else None)";
+
+/// The lines of a script with the last one, which holds their checksum.
+pub fn sealed(lines: &str) -> String {
+    let lines = format!("{}\n\n\n", lines.trim_end());
+    let mut sum = Checksum::default();
+    sum.add(lines.as_bytes());
+    format!("{lines}if __name__ == \"__main__\": main(DATA, READINGS, __file__, GUARD, \"{sum}\")\n")
+}
+
+fn one_line(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+fn field(name: &str, value: String) -> String {
+    format!("{}: {value}", quoted(name))
+}
+
+fn integers<N: ToString>(items: impl IntoIterator<Item = N>) -> String {
+    list(items.into_iter().map(|item| item.to_string()))
+}
+
+/// A list of one or none.
+fn option<N: ToString>(item: Option<N>) -> String {
+    list(item.map(|item| item.to_string()))
+}
+
+/// The numbers that terms have in the data: those of the statement as they are, those of the evidence without what
+/// nothing speaks of.
+struct Numbers {
+    base: usize,
+    kept: Vec<Term>,
+    number: HashMap<Term, usize>,
+}
+
+impl Numbers {
+    fn new<T>(with: &With<T>, base: usize, roots: &dyn Fn(&mut Vec<Term>)) -> Self {
+        let terms = with.statement.terms();
+        let mut open = Vec::new();
+        roots(&mut open);
+        let all = (base..terms.len()).filter_map(|n| u32::try_from(n).ok()).map(Term);
+        // every term that may be a generator keeps its place among the others
+        let arithmetic = |term: &Term| {
+            let node = terms.node(*term);
+            matches!(
+                node,
+                Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..)
+            )
+        };
+        open.extend(all.filter(|term| !arithmetic(term)));
+        let mut kept: BTreeSet<Term> = BTreeSet::new();
+        while let Some(term) = open.pop() {
+            if term.0 as usize >= base && kept.insert(term) {
+                open.extend(terms.parts(term));
+            }
+        }
+        let kept: Vec<Term> = kept.into_iter().collect();
+        let number = kept.iter().enumerate().map(|(n, term)| (*term, base + n)).collect();
+        Self { base, kept, number }
+    }
+
+    fn of(&self, term: Term) -> String {
+        match self.number.get(&term) {
+            Some(number) => number.to_string(),
+            None => term.0.to_string(),
+        }
+    }
+
+    fn list(&self, terms: &[Term]) -> String {
+        list(terms.iter().map(|term| self.of(*term)))
+    }
+
+    fn polynomial(&self, polynomial: &Polynomial) -> String {
+        list(polynomial.terms().iter().map(|(monomial, value)| {
+            let flat = monomial
+                .iter()
+                .flat_map(|(term, power)| [self.of(*term), power.to_string()]);
+            list([quoted(&value.to_string()), list(flat)])
+        }))
+    }
+
+    /// Symbols, functions and terms that a copy has beyond the statement.
+    fn fields(&self, statement: &Statement, copy: &Statement) -> Vec<String> {
+        let from = (statement.quantities().len(), statement.functions().len());
+        let terms = list(self.kept.iter().map(|term| node(self, copy.terms(), *term)));
+        let mut fields = meanings(copy, from.0, from.1);
+        fields.push(field("terms", terms));
+        fields
+    }
+}
+
+fn meanings(statement: &Statement, symbols: usize, functions: usize) -> Vec<String> {
+    let names = (0_u32..).map(|n| statement.terms().symbol_name(Symbol(n)));
+    let all = names.zip(statement.quantities()).skip(symbols);
+    let symbols = list(all.map(|(printed, quantity)| symbol(printed, quantity)));
+    let functions = list(statement.functions().iter().skip(functions).map(|of| match of {
+        FunctionOf::Line(name) => list([quoted("line"), quoted(&name.to_string())]),
+        FunctionOf::Flight { state, impact } => {
+            list([quoted("flight"), quoted(&state.to_string()), impact.to_string()])
+        }
+    }));
+    vec![field("symbols", symbols), field("functions", functions)]
+}
+
+fn symbol(printed: &str, quantity: &Quantity) -> String {
+    let printed = quoted(printed);
+    list(match quantity {
+        Quantity::Parameter(name) => vec![printed, quoted("parameter"), quoted(&name.to_string())],
+        Quantity::Running => vec![printed, quoted("running")],
+        Quantity::Time { family, index } => {
+            vec![printed, quoted("time"), quoted(&family.to_string()), index.to_string()]
+        }
+        Quantity::State { state, index, after } => vec![
+            printed,
+            quoted("state"),
+            quoted(&state.to_string()),
+            index.to_string(),
+            u8::from(*after).to_string(),
+        ],
+        Quantity::Absolute { state, index } => {
+            vec![
+                printed,
+                quoted("absolute"),
+                quoted(&state.to_string()),
+                index.to_string(),
+            ]
+        }
+        Quantity::Partial { of, by } => vec![printed, quoted("partial"), of.0.to_string(), by.0.to_string()],
+        Quantity::Invariant { kind, of } => {
+            let kind = quoted(&format!("{kind:?}"));
+            vec![printed, quoted("invariant"), kind, quoted(&of.to_string())]
+        }
+        Quantity::Local { name, scope } => {
+            vec![printed, quoted("local"), quoted(&name.to_string()), scope.to_string()]
+        }
+        Quantity::Fresh(number) => vec![printed, quoted("fresh"), number.to_string()],
+    })
+}
+
+fn node(numbers: &Numbers, terms: &Terms, term: Term) -> String {
+    let of = |term: &Term| numbers.of(*term);
+    list(match terms.node(term) {
+        Node::Number(value) => vec![quoted("number"), quoted(&value.to_string())],
+        Node::Pi => vec![quoted("pi")],
+        Node::Imaginary => vec![quoted("i")],
+        Node::Symbol(symbol) => vec![quoted("symbol"), symbol.0.to_string()],
+        Node::Sum(parts) => vec![quoted("sum"), numbers.list(parts)],
+        Node::Product(parts) => vec![quoted("product"), numbers.list(parts)],
+        Node::Power(base, exponent) => vec![quoted("power"), of(base), exponent.to_string()],
+        Node::Quotient(above, below) => vec![quoted("quotient"), of(above), of(below)],
+        Node::RealPower(base, exponent) => vec![quoted("realpower"), of(base), of(exponent)],
+        Node::Elementary(Elementary::Root(index), radicand) => {
+            vec![quoted("root"), index.to_string(), of(radicand)]
+        }
+        Node::Elementary(function, argument) => {
+            vec![quoted(&format!("{function:?}").to_lowercase()), of(argument)]
+        }
+        Node::Value(function, order, at) => {
+            vec![quoted("value"), function.0.to_string(), order.to_string(), of(at)]
+        }
+    })
+}
+
+fn property(property: Property) -> String {
+    quoted(&format!("{property:?}").to_lowercase())
+}
+
+fn conditions(of: &[(Property, Term)]) -> String {
+    list(
+        of.iter()
+            .map(|(holds, term)| list([property(*holds), term.0.to_string()])),
+    )
+}
+
+/// What the statement says, without any evidence.
+fn statement_fields(statement: &Statement) -> Vec<String> {
+    let numbers = Numbers {
+        base: 0,
+        kept: (0..u32::try_from(statement.terms().len()).unwrap_or(0))
+            .map(Term)
+            .collect(),
+        number: HashMap::new(),
+    };
+    debug_assert_eq!(numbers.base, 0);
+    let mut fields = vec![field("complex", u8::from(statement.is_complex()).to_string())];
+    let names = |names: &[Name]| list(names.iter().map(|name| quoted(&name.to_string())));
+    fields.push(field("states", names(statement.states())));
+    fields.push(field("continuous", names(statement.continuous())));
+    fields.push(field("letter", quoted(statement.letter())));
+    let roots = statement.functions().iter().filter_map(|of| match of {
+        FunctionOf::Flight { state, .. } => Some(state.clone()),
+        FunctionOf::Line(_) => None,
+    });
+    let roots: BTreeSet<Name> = roots.chain(statement.states().iter().cloned()).collect();
+    let dots = roots.into_iter().map(|root| {
+        let mut chain = vec![root];
+        for _ in 0..8 {
+            chain.extend(chain.last().map(Name::dotted));
+        }
+        names(&chain)
+    });
+    fields.push(field("dots", list(dots)));
+    fields.push(field("flight", option(statement.flight())));
+    fields.extend(numbers.fields(&Statement::default(), statement));
+    let definitions = statement.definitions().iter();
+    fields.push(field(
+        "definitions",
+        list(definitions.map(|(symbol, term)| integers([symbol.0, term.0]))),
+    ));
+    let mut derivatives: Vec<[u32; 2]> = statement.derivatives().iter().map(|(f, g)| [f.0, g.0]).collect();
+    derivatives.sort_unstable();
+    fields.push(field("derivatives", list(derivatives.into_iter().map(integers))));
+    let symbols = |symbols: &[Symbol]| integers(symbols.iter().map(|symbol| symbol.0));
+    fields.push(field("complex_symbols", symbols(statement.complex_symbols())));
+    fields.push(field("generic", symbols(statement.generic())));
+    let givens = statement.givens().iter().map(given);
+    fields.push(field("givens", list(givens)));
+    fields.push(field("goals", conditions(statement.goal())));
+    let maps = statement.maps().iter().map(|map| {
+        let equations = map.equations.iter();
+        let equations = equations.map(|(label, term)| list([quoted(label), term.0.to_string()]));
+        list([symbols(&map.of), symbols(&map.by), list(equations)])
+    });
+    fields.push(field("maps", list(maps)));
+    fields.push(field("beside", integers(statement.beside().iter().map(|term| term.0))));
+    fields
+}
+
+fn given(given: &Given) -> String {
+    let law = given.law.as_ref().map(|law| {
+        list([
+            option(law.time.map(|time| time.0)),
+            option(law.flight),
+            u8::from(law.every_impact).to_string(),
+            conditions(&law.conditions),
+        ])
+    });
+    list([
+        quoted(&given.label),
+        property(given.property),
+        given.term.0.to_string(),
+        law.unwrap_or_else(|| "[]".into()),
+    ])
+}
+
+fn certificate_fields(numbers: &Numbers, certificate: &Certificate) -> Vec<String> {
+    vec![
+        field("whole", numbers.list(&certificate.whole)),
+        field("steps", steps(numbers, &certificate.steps)),
+    ]
+}
+
+fn witness_fields(numbers: &Numbers, witness: &Witness) -> Vec<String> {
+    let values = |values: &[(Symbol, Term)]| {
+        list(
+            values
+                .iter()
+                .map(|(symbol, term)| list([symbol.0.to_string(), numbers.of(*term)])),
+        )
+    };
+    let functions = witness.functions.iter();
+    let functions =
+        functions.map(|(function, time, term)| list([function.0.to_string(), time.0.to_string(), numbers.of(*term)]));
+    let table = witness.table.iter();
+    let table = table.map(|(function, order, at, value)| {
+        list([
+            function.0.to_string(),
+            order.to_string(),
+            numbers.of(*at),
+            numbers.of(*value),
+        ])
+    });
+    let certificate = certificate_fields(numbers, &witness.certificate);
+    vec![
+        field("solved", values(&witness.solved)),
+        field("sample", values(&witness.sample)),
+        field("functions_named", list(functions)),
+        field("table", list(table)),
+        field("certificate", format!("{{{}}}", certificate.join(", "))),
+    ]
+}
+
+fn source(of: LawSource) -> String {
+    match of {
+        LawSource::Given { given, shift } => list([quoted("given"), given.to_string(), shift.to_string()]),
+        LawSource::Derived(number) => list([quoted("derived"), number.to_string()]),
+    }
+}
+
+fn steps(numbers: &Numbers, steps: &[Inference]) -> String {
+    list(steps.iter().map(|step| self::step(numbers, step)))
+}
+
+fn step(numbers: &Numbers, step: &Inference) -> String {
+    let of = |term: &Term| numbers.of(*term);
+    let polynomial = |p: &Polynomial| numbers.polynomial(p);
+    let factors = |factors: &[(usize, u32)]| {
+        list(
+            factors
+                .iter()
+                .map(|(fact, power)| list([fact.to_string(), power.to_string()])),
+        )
+    };
+    let terms = |terms: &[(Polynomial, usize)]| {
+        list(
+            terms
+                .iter()
+                .map(|(coefficient, fact)| list([polynomial(coefficient), fact.to_string()])),
+        )
+    };
+    let parts = match step {
+        Inference::Given(number) => vec![quoted("given"), number.to_string()],
+        Inference::Law { source: law, at } => {
+            vec![quoted("law"), source(*law), option(at.as_ref().map(of))]
+        }
+        Inference::Axiom(axiom) => self::axiom(numbers, axiom),
+        Inference::Zero {
+            target,
+            power,
+            squares,
+            factors: own,
+            terms: sum,
+        } => {
+            let squares = squares.iter();
+            let squares = squares.map(|(factor, root)| list([quoted(&factor.to_string()), polynomial(root)]));
+            vec![
+                quoted("zero"),
+                polynomial(target),
+                power.to_string(),
+                list(squares),
+                factors(own),
+                terms(sum),
+            ]
+        }
+        Inference::Nonzero {
+            target,
+            cofactor,
+            factors: own,
+            terms: sum,
+        } => vec![
+            quoted("nonzero"),
+            polynomial(target),
+            polynomial(cofactor),
+            factors(own),
+            terms(sum),
+        ],
+        Inference::Sign {
+            target,
+            strict,
+            factors: own,
+            summands,
+            terms: sum,
+        } => {
+            let summands = summands.iter().map(|Summand { factor, facts, root }| {
+                list([quoted(&factor.to_string()), integers(facts), polynomial(root)])
+            });
+            vec![
+                quoted("sign"),
+                polynomial(target),
+                u8::from(*strict).to_string(),
+                factors(own),
+                list(summands),
+                terms(sum),
+            ]
+        }
+        Inference::Squeezed { low, high } => vec![quoted("squeezed"), low.to_string(), high.to_string()],
+        Inference::Congruence { left, right } => vec![quoted("congruence"), of(left), of(right)],
+        Inference::Cases {
+            on,
+            order,
+            property: shown,
+            target,
+            branches,
+        } => vec![
+            quoted("cases"),
+            polynomial(on),
+            u8::from(*order).to_string(),
+            property(*shown),
+            polynomial(target),
+            list(branches.iter().map(|branch| self::steps(numbers, branch))),
+        ],
+        Inference::Derivative(law) => vec![quoted("derivative"), source(*law)],
+        Inference::Constant {
+            of: term,
+            time,
+            at,
+            flight,
+            steps,
+        } => vec![
+            quoted("constant"),
+            of(term),
+            time.0.to_string(),
+            of(at),
+            option(*flight),
+            self::steps(numbers, steps),
+        ],
+        Inference::Generic(term) => vec![quoted("generic"), numbers.of(*term)],
+        Inference::Along { map, equation, by } => {
+            vec![quoted("along"), map.to_string(), equation.to_string(), by.0.to_string()]
+        }
+    };
+    list(parts)
+}
+
+fn axiom(numbers: &Numbers, axiom: &Axiom) -> Vec<String> {
+    use Axiom::{
+        AngleUnique, ArcAbove, ArcBelow, CosineOfArccos, CosineOfArcsin, CosineOfArctan, CosineOfHalfTurns,
+        CosineOfNegative, CosineOfPi, CosineOfSum, CosineOfTurns, CosineOfZero, Enclosure, ExpInjective, ExpNonzero,
+        ExpOfImaginary, ExpOfLn, ExpOfSum, ExpOfZero, ExpPositive, ImaginarySquare, IntegerAtLeastOne, IntegerPower,
+        IntegerPowerOfProduct, IntegerPowerOfSum, LnOfExp, LnOfNegative, Pythagoras, RealPower, RootNonNegative,
+        RootOfNegative, RootPower, RootUnique, SineOfArccos, SineOfArcsin, SineOfArctan, SineOfHalfTurns,
+        SineOfNegative, SineOfPi, SineOfSum, SineOfZero, SinePositive, Unfold,
+    };
+    let shown = format!("{axiom:?}");
+    let name = shown.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or("");
+    let mut parts = vec![quoted("axiom"), quoted(name)];
+    match axiom {
+        SineOfPi | CosineOfPi | ImaginarySquare => {}
+        Unfold(a) | Pythagoras(a) | SineOfZero(a) | CosineOfZero(a) | SineOfHalfTurns(a) | CosineOfTurns(a)
+        | ExpOfZero(a) | ExpPositive(a) | ExpNonzero(a) | ExpOfLn(a) | LnOfExp(a) | RootPower(a)
+        | RootNonNegative(a) | RealPower(a) | SineOfArcsin(a) | CosineOfArccos(a) | SineOfArctan(a)
+        | CosineOfArcsin(a) | SineOfArccos(a) | CosineOfArctan(a) | ArcAbove(a) | ArcBelow(a) | SinePositive(a)
+        | CosineOfHalfTurns(a) | ExpOfImaginary(a) | RootOfNegative(a) | LnOfNegative(a) | IntegerAtLeastOne(a) => {
+            parts.push(numbers.of(*a));
+        }
+        ExpInjective([a, b]) | AngleUnique([a, b]) => parts.extend([numbers.of(*a), numbers.of(*b)]),
+        SineOfNegative { negative: a, of: b }
+        | CosineOfNegative { negative: a, of: b }
+        | RootUnique { root: a, value: b } => parts.extend([numbers.of(*a), numbers.of(*b)]),
+        SineOfSum { sum, parts: [a, b] }
+        | CosineOfSum { sum, parts: [a, b] }
+        | ExpOfSum { sum, parts: [a, b] }
+        | IntegerPowerOfSum {
+            power: sum,
+            parts: [a, b],
+        }
+        | IntegerPowerOfProduct {
+            power: sum,
+            factors: [a, b],
+        } => parts.extend([sum, a, b].map(|term| numbers.of(*term))),
+        IntegerPower { power, exponent } => parts.extend([numbers.of(*power), exponent.to_string()]),
+        Enclosure(polynomial) => parts.push(numbers.polynomial(polynomial)),
+    }
+    parts
+}
+
+/// The terms that a certificate speaks of.
+fn roots_of(certificate: &Certificate, roots: &mut Vec<Term>) {
+    roots.extend(&certificate.whole);
+    for step in &certificate.steps {
+        roots_of_step(step, roots);
+    }
+}
+
+fn roots_of_step(step: &Inference, roots: &mut Vec<Term>) {
+    let mut inside = |polynomial: &Polynomial| roots.extend(polynomial.generators());
+    match step {
+        Inference::Given(_)
+        | Inference::Squeezed { .. }
+        | Inference::Derivative(_)
+        | Inference::Along { .. }
+        | Inference::Axiom(Axiom::SineOfPi | Axiom::CosineOfPi | Axiom::ImaginarySquare) => {}
+        Inference::Law { at, .. } => roots.extend(at),
+        Inference::Axiom(Axiom::Enclosure(polynomial)) => inside(polynomial),
+        Inference::Axiom(axiom) => roots.extend(terms_of(axiom)),
+        Inference::Zero {
+            target, squares, terms, ..
+        } => {
+            inside(target);
+            squares.iter().for_each(|(_, root)| inside(root));
+            terms.iter().for_each(|(coefficient, _)| inside(coefficient));
+        }
+        Inference::Nonzero {
+            target,
+            cofactor,
+            terms,
+            ..
+        } => {
+            inside(target);
+            inside(cofactor);
+            terms.iter().for_each(|(coefficient, _)| inside(coefficient));
+        }
+        Inference::Sign {
+            target,
+            summands,
+            terms,
+            ..
+        } => {
+            inside(target);
+            summands.iter().for_each(|summand| inside(&summand.root));
+            terms.iter().for_each(|(coefficient, _)| inside(coefficient));
+        }
+        Inference::Congruence { left, right } => roots.extend([left, right]),
+        Inference::Generic(term) => roots.push(*term),
+        Inference::Cases {
+            on, target, branches, ..
+        } => {
+            inside(on);
+            inside(target);
+            for step in branches.iter().flatten() {
+                roots_of_step(step, roots);
+            }
+        }
+        Inference::Constant { of, at, steps, .. } => {
+            roots.extend([of, at]);
+            for step in steps {
+                roots_of_step(step, roots);
+            }
+        }
+    }
+}
+
+/// The terms of an axiom that is no enclosure.
+fn terms_of(axiom: &Axiom) -> Vec<Term> {
+    // the data of an axiom lists its terms after its name
+    let plain = Numbers {
+        base: 0,
+        kept: Vec::new(),
+        number: HashMap::new(),
+    };
+    let exponent = matches!(axiom, Axiom::IntegerPower { .. });
+    let parts = self::axiom(&plain, axiom);
+    let numbers = parts.iter().skip(2).take(if exponent { 1 } else { 3 });
+    numbers.filter_map(|part| part.parse().ok()).map(Term).collect()
+}

@@ -1,0 +1,149 @@
+//! The box of devices to choose the best one from.
+
+use super::document::Value;
+use super::error::SceneError;
+use super::key::{self, Key, allowed_number};
+use super::{Over, Quantity, Scene};
+use dynamics::model::DeviceError;
+use dynamics::orbit::{Choice, Devices, Gap, Pull, Range, Unit};
+use numbers::{Analytic, Interval};
+use std::cmp::Ordering;
+
+/// The choice of a scene, and which parameters its four are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoxChoice {
+    /// d or the forcing amplitude, g or the incline, r_B, r_T.
+    pub parameters: [Over; 4],
+    /// What is asked.
+    pub choice: Choice,
+}
+
+impl Scene {
+    /// The parameters that have a range in the box.
+    pub(super) fn chosen(&self) -> Vec<Over> {
+        let is_given = |over: &Over| over.box_key().is_some_and(|key| self.document.get(key).is_some());
+        Over::ALL.into_iter().filter(is_given).collect()
+    }
+
+    /// The ends of the range of a key of `[box]`; `None` where it is not given.
+    pub(super) fn range_of(&self, key: &'static Key) -> Result<Option<[Quantity; 2]>, SceneError> {
+        let Some(entry) = self.document.get(key) else {
+            return Ok(None);
+        };
+        let Value::List(ends) = &entry.value else {
+            return Err(self.wrong(key, entry, RANGE.to_owned()));
+        };
+        let [low, high] = ends.as_slice() else {
+            return Err(self.wrong(key, entry, RANGE.to_owned()));
+        };
+        let over = Over::ALL.into_iter().find(|over| over.box_key() == Some(key));
+        let end = |end| {
+            let value = self.number_in(key, end)?;
+            match over.and_then(|over| Some((over, allowed_number(over.key().allowed, &value)?))) {
+                Some((over, allowed)) => Err(self.wrong(key, end, format!("{allowed}, as {over} is"))),
+                None => Ok(value),
+            }
+        };
+        let ends = [end(low)?, end(high)?];
+        if ends[0].compared_with(&ends[1]) == Ordering::Greater {
+            return Err(self.wrong(key, entry, "from the lower number to the higher one".to_owned()));
+        }
+        Ok(Some(ends))
+    }
+
+    /// The range of a parameter in the box; where it has none, the value that it has.
+    fn chosen_range(&self, over: Over) -> Result<Range, SceneError> {
+        let enclosed = |value: &Quantity| value.value::<Interval>();
+        let typed = over.box_key().map(|key| self.range_of(key)).transpose()?;
+        Ok(match typed.flatten() {
+            Some([low, high]) => Range {
+                low: enclosed(&low),
+                high: enclosed(&high),
+            },
+            None => Range::held(enclosed(&self.number(over.key())?)),
+        })
+    }
+
+    /// The devices of `[box]`, and what is asked of their motions.
+    ///
+    /// # Errors
+    /// A key that is lacking or out of its range, two ranges of which one leaves the other unread.
+    pub fn choice(&self) -> Result<BoxChoice, SceneError> {
+        let chosen = self.chosen();
+        let has = |over: Over| chosen.contains(&over);
+        for (one, other, why) in [
+            (Over::D, Over::ForcingAmplitude, "the capsule keeps its length"),
+            (Over::G, Over::Incline, "g is given outright"),
+        ] {
+            if let (true, true, Some(key), Some(other)) = (has(one), has(other), one.box_key(), other.box_key()) {
+                let allowed = format!("left out where {} is given, or that: {why}", other.path());
+                return Err(self.wrong(key, self.require(key, None)?, allowed));
+            }
+        }
+        let first = if has(Over::ForcingAmplitude) {
+            Over::ForcingAmplitude
+        } else {
+            Over::D
+        };
+        let second = if has(Over::G) { Over::G } else { Over::Incline };
+        let parameters = [first, second, Over::RB, Over::RT];
+        let number = |key: &'static Key| Ok::<Interval, SceneError>(self.number(key)?.value());
+        let (mass, frequency, pi) = (
+            number(&key::CAPSULE_MASS)?,
+            number(&key::ANGULAR_FREQUENCY)?,
+            Interval::pi(),
+        );
+        let is_inclined = second == Over::Incline;
+        let weight = is_inclined
+            .then(|| Ok::<_, SceneError>(mass * number(&key::GRAVITY)?))
+            .transpose()?;
+        let per_force = pi / (mass * frequency);
+        let (gap, unit, pull) = if first == Over::ForcingAmplitude {
+            let length = number(&key::CAPSULE_LENGTH)?;
+            let turns = frequency / pi;
+            (
+                Gap::HeldLength(length * mass * turns * turns),
+                Unit::OfAmplitude(per_force),
+                weight.map_or(Pull::Itself, Pull::InclinedOverAmplitude),
+            )
+        } else {
+            let amplitude = number(&key::FORCING_AMPLITUDE)?;
+            (
+                Gap::Itself,
+                Unit::Same(amplitude * per_force),
+                weight.map_or(Pull::Itself, |weight| Pull::Inclined(weight / amplitude)),
+            )
+        };
+        if is_inclined {
+            self.one_gravity()?;
+        }
+        let (Unit::Same(scale) | Unit::OfAmplitude(scale)) = unit;
+        if !(scale.is_positive() && scale.is_finite()) {
+            let (name, found) = ("velocity unit", scale.midpoint());
+            return Err(self.error(None, DeviceError::Scale { name, found }));
+        }
+        let [first, second, bottom, top] = parameters.map(|over| self.chosen_range(over));
+        let or_nothing = |key: &'static Key| match self.document.get(key) {
+            Some(_) => number(key),
+            None => Ok(Interval::point(0.0)),
+        };
+        Ok(BoxChoice {
+            parameters,
+            choice: Choice {
+                devices: Devices {
+                    gap,
+                    pull,
+                    unit,
+                    membrane: self.membrane()?,
+                },
+                ranges: [first?, second?, bottom?, top?],
+                max_periods: self.max_periods()?,
+                margin: or_nothing(&key::BOX_MARGIN)?,
+                clearance: or_nothing(&key::BOX_CLEARANCE)?,
+            },
+        })
+    }
+}
+
+/// What a range of a box is.
+const RANGE: &str = "a list of two numbers, the lower one first, as in [0.1, 0.5]";
