@@ -164,7 +164,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             )
         })
         .transpose()?;
-    let is_link = decision.standing == Standing::Link
+    let is_link = matches!(decision.standing, Standing::Link | Standing::Implied)
         && decision.fails
         && has_one_set_of_letters(sheet, position)
         && !is_loose(sheet, position);

@@ -1697,13 +1697,63 @@ fn a_formula_that_is_not_read_is_given_where_it_only_defines_or_says_something()
     let text = r"
 \[ X = [x_1, \ldots, x_n] \otimes P \]
 \[ Y \sim \mathcal{N}(\mu, \sigma^2) \]
-\begin{align*} c &= a + b \\ &= b \heartsuit a \end{align*}
+\begin{align*} c &= a + b \\ &= b \oplus a \end{align*}
 ";
     let found = document(text, &[]);
     let shown = verdicts(&found);
     assert_eq!(
         shown,
         ["line 2 given", "line 3 given", "line 4.1 given", "line 4.2 unread"]
+    );
+}
+
+#[test]
+fn a_macro_that_is_not_at_hand_is_a_term_of_its_own() {
+    let text = r"
+\begin{align*} c &= \inv{2} \qdot_1 (a + b) \\ &= \inv{2} \qdot_1 a + \inv{2} \qdot_1 b \\ &= a \inv{2} \qdot_1 + b \inv{2} \qdot_1 \end{align*}
+\[ (A B)^\T = A^\T B^\T \]
+\[ \inv{a} + \inv{b} = \inv{b} + \inv{a} \]
+";
+    let found = document(text, &[]);
+    // nothing says that it commutes, or what it does to a product
+    assert_eq!(
+        verdicts(&found),
+        [
+            "line 2.1 given",
+            "line 2.2 proved",
+            "line 2.3 undecided",
+            "line 3 given",
+            "line 4 proved"
+        ]
+    );
+}
+
+#[test]
+fn what_stands_behind_an_arrow_follows_from_what_stands_before_it() {
+    let text = r"
+\begin{align} 2 x &= 4 z \\ \Rightarrow x &= 2 z \\ \Rightarrow x^2 &= 4 z^2 \end{align}
+\[ 3 u + 6 w = 0 \Leftrightarrow 3 u = -6 w \iff u = -2 w \]
+\[ \Rightarrow \quad u + w = -w \]
+\[ p - q = 0 \Rightarrow p = q \]
+\[ g - h = 0 \Rightarrow g = h \]
+\[ \Rightarrow g^2 = h^2 \]
+";
+    let found = document(text, &[]);
+    assert_eq!(
+        verdicts(&found),
+        [
+            "1.1 given",
+            "1.2 proved",
+            "1.3 proved",
+            "line 3.1 given",
+            "line 3.2 proved",
+            "line 3.3 proved",
+            "line 4 proved",
+            "line 5 proved",
+            "line 6.1 given",
+            "line 6.2 proved",
+            "line 7 proved"
+        ]
     );
 }
 

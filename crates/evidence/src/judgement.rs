@@ -1,18 +1,18 @@
 //! What the points say of a verdict.
 
 use super::compiler::Unwitnessed;
-use super::formula::{Binder, Formula, Op};
+use super::formula::{Binder, Formula, Op, Work};
 use super::gap::Gap;
 use super::motion::Flown;
 use super::point::{Miss, Point, Style};
 use super::space::Slot;
-use super::system::{Forcing, System};
+use super::system::{Forcing, System, WORK, WORK_ON_A_GUESS};
 use super::tolerance::{
     APART_EXACT, APART_INEXACT, APART_WIDE, COARSE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, ROUNDED_AWAY,
     STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
-use claims::{Fault, Sheet, Statements, Verdict};
+use claims::{Fault, Sheet, Standing, Statements, Verdict};
 use numbers::{Sequence, Wide};
 use std::collections::BTreeMap;
 use texmath::{Equation, Names, Relation, Symbols, Tree, any_side, number_of, read_expression};
@@ -77,7 +77,12 @@ pub fn witness_near(
         .filter_map(|(name, value)| Some((name.as_str(), printed_value(value)?)))
         .collect();
     let statements = Statements::gather(sheet, position)?;
-    Ok(of_claim(&statements, &sheet.symbols, verdict, points, &named))
+    let is_guess = sheet
+        .entries
+        .get(position)
+        .is_some_and(|entry| entry.standing != Standing::Said);
+    let work = if is_guess { WORK_ON_A_GUESS } else { WORK };
+    Ok(of_claim(&statements, &sheet.symbols, verdict, points, &named, work))
 }
 
 /// The value of a number as a counterexample prints it: a rational one, or one times pi.
@@ -100,11 +105,13 @@ fn of_claim(
     verdict: Verdict,
     points: usize,
     named: &[(&str, f64)],
+    work: u64,
 ) -> Evidence {
-    let system = match System::new(statements, symbols, Forcing::Any) {
+    let mut system = match System::new(statements, symbols, Forcing::Any) {
         Ok(system) => system,
         Err(reason) => return without_points(no_witness(&reason)),
     };
+    system.work = Work::new(work);
     let over = Witness {
         symbols,
         statements,

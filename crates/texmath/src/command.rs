@@ -98,6 +98,37 @@ const LETTERS: &[&str] = &[
     "\\top",
 ];
 
+/// Commands of LaTeX and amsmath that are no terms and are not read: relations, arrows, dots, operators between terms and with their
+/// terms, brackets, words and references.
+const NO_TERMS: &str = "
+    sim simeq cong propto varpropto asymp doteq doteqdot prec succ preceq succeq ll gg lesssim gtrsim lessgtr gtrless
+    subset subseteq subsetneq supset supseteq ni notin perp parallel vdash models bowtie triangleq eqqcolon coloneq
+    eqdef defeq overset underset stackrel not approxeq leadsto vartriangleleft trianglelefteq ngeq nleq nless ngtr
+    colon
+    Rightarrow Leftarrow Leftrightarrow Longrightarrow Longleftarrow Longleftrightarrow longrightarrow longleftarrow
+    leftarrow leftrightarrow longleftrightarrow implies impliedby iff mapsto longmapsto xrightarrow xleftarrow
+    xlongequal hookrightarrow rightharpoonup uparrow downarrow nearrow searrow rightsquigarrow gets rightleftharpoons
+    because
+    dots ldots cdots vdots ddots dotsc dotsb dotsm dotsi hdots adots
+    oplus ominus otimes odot wedge vee land lor lnot neg cap cup setminus bigcap bigcup bigoplus bigotimes bigwedge
+    bigvee star bullet amalg uplus sqcup sqcap ltimes rtimes coprod bmod pmod mod forall exists nexists backslash
+    sup inf max min argmax argmin limsup liminf iint iiint oint idotsint nabla Pr
+    langle rangle lfloor rfloor lceil rceil ulcorner urcorner lgroup rgroup middle over atop choose above hline
+    multicolumn limits substack sideset prescript intertext shortintertext
+    emph textsc textsf texttt textnormal footnote footnotemark ref eqref cref Cref autoref cite citep citet href url
+    item par noindent bf rm it sf tt cal index hspace vspace raisebox fbox mathchoice mathpalette newcommand
+    renewcommand def let
+";
+
+/// Returns true for a command that is not known, `\qdot` of a macro that is not at hand.
+pub fn is_unknown(text: &str) -> bool {
+    let name = text.strip_prefix('\\').unwrap_or_default();
+    !name.is_empty()
+        && name.bytes().all(|byte| byte.is_ascii_alphabetic())
+        && matches!(command(text), Command::Unknown(""))
+        && !NO_TERMS.split_whitespace().any(|known| known == name)
+}
+
 /// Returns true for the command of a letter, `\alpha`.
 pub(super) fn is_letter(command: &str) -> bool {
     LETTERS.contains(&command)

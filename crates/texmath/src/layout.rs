@@ -4,7 +4,7 @@
 //! They are those of the packages physics, mathtools, nicefrac, cancel, xcolor, siunitx and IEEEtrantools, and some of plain TeX.
 //! Each place of what is written knows where in the source it comes from.
 
-use super::command::{invariant, is_letter as is_letter_command};
+use super::command::{invariant, is_letter as is_letter_command, is_unknown};
 use super::elementary::Elementary;
 use super::{Name, Names};
 use std::borrow::Cow;
@@ -120,6 +120,8 @@ static TABLE: &[Row] = &[
     ("mathclap", &[Needed], As(&["{#1}"])),
     ("substack", &[Needed], As(&["#1"])),
     // what is set beside a formula
+    ("xspace", &[], As(&[""])),
+    ("mathchoice", &[Needed, Needed, Needed, Needed], As(&["{#1}"])),
     ("qed", &[], As(&[""])),
     ("qedhere", &[], As(&[""])),
     ("IEEEyesnumber", &[Star], As(&[""])),
@@ -576,6 +578,15 @@ impl<'a> Writer<'a, '_> {
                 .term_end(next, end)
                 .filter(|close| !self.slice(next, *close).trim().is_empty());
         }
+        let token = self.slice(at, next);
+        if is_unknown(token) && TABLE.iter().all(|(command, ..)| *command != &token[1..]) {
+            // a macro that is not at hand, with what it is given
+            let mut close = next;
+            while self.byte(close) == b'{' {
+                close = self.closing.get(close).copied().flatten().filter(|own| *own < end)? + 1;
+            }
+            return Some(close);
+        }
         if [r"\Delta", r"\delta"].contains(&self.slice(at, next)) {
             // the difference or variation of a letter is one name
             let letter = self.after_spaces(next, end);
@@ -1005,7 +1016,7 @@ fn is_bold(base: &str) -> bool {
 
 /// Returns true for the symbol that a term which is not understood was read as; a letter in bold is understood.
 pub fn is_opaque(name: &Name) -> bool {
-    name.base.contains(['(', '[', '{', '_', '^', '|', ' ']) && !is_bold(&name.base)
+    (name.base.contains(['(', '[', '{', '_', '^', '|', ' ']) && !is_bold(&name.base)) || is_unknown(&name.base)
 }
 
 /// The characters around a symbol that is a whole term.

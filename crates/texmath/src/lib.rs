@@ -77,6 +77,7 @@ mod symbols;
 mod token;
 mod tree;
 
+pub use command::is_unknown;
 pub use command::with_commands;
 pub use conditions::read_conditions;
 pub use declared::{Undeclared, Unknown};

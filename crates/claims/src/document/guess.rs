@@ -39,6 +39,10 @@ pub(super) struct Asked<'a> {
     pub tex: &'a str,
     /// True for a link of a chain.
     pub is_link: bool,
+    /// The formulas that an arrow leads from to it.
+    pub implied_by: &'a [String],
+    /// True if such an arrow leads from it, and none to it.
+    pub is_assumed: bool,
     /// True for the first of a chain.
     pub is_head: bool,
     /// The role that its author gives it.
@@ -553,6 +557,8 @@ impl Guess {
             label,
             tex,
             is_link,
+            implied_by,
+            is_assumed,
             is_head,
             role,
             is_founded,
@@ -584,9 +590,15 @@ impl Guess {
         // a chain begins with an identity where its first sides have the same letters
         let begins_alike =
             is_head && matches!(equations.as_slice(), [one] if letters_of(&one.left) == letters_of(&one.right));
+        let is_derived = is_link || !implied_by.is_empty();
         let may_be_law =
-            is_guess && role == Role::Claim && !is_link && !begins_alike && self.may_be_law(&equations, &names);
+            is_guess && role == Role::Claim && !is_derived && !begins_alike && self.may_be_law(&equations, &names);
+        // of what is assumed, a link says something where it is set to a number
+        let is_set = matches!(equations.as_slice(), [one] if letters_of(&one.left).is_empty() || letters_of(&one.right).is_empty());
         let standing = match may_be_law {
+            _ if !implied_by.is_empty() => Standing::Implied,
+            _ if is_assumed && (!is_link || is_set) => Standing::Law,
+            _ if is_link => Standing::Link,
             true => Standing::Law,
             false if begins_alike => Standing::Link,
             false if equations.is_empty() => self.outlined(tex),
@@ -601,13 +613,16 @@ impl Guess {
             let reached = self.reached(&names);
             let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
             below.extend(again.filter(|own| *own != label).cloned());
+            let implying = implied_by.iter().filter(|own| !below.contains(own));
+            below.extend(implying.cloned().collect::<Vec<_>>());
             below.extend(self.premises.iter().cloned());
             let is_plain = self.conflict(at).is_none()
                 && !self.open.contains_key(label)
                 && loose.is_none()
                 && !names.iter().any(|name| self.marks.has(name));
             if !may_be_law && let [equation] = equations.as_slice() {
-                below.extend(self.premises_of(equation));
+                let premises = self.premises_of(equation).into_iter();
+                below.extend(premises.filter(|own| !implied_by.contains(own)));
             }
             // what is derived may be wrong: only what is said is a premise
             if is_plain && (may_be_law || (is_link && self.may_be_law(&equations, &names))) {

@@ -1,12 +1,11 @@
 //! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
 
 use super::members::{Members, contains_unit, j_is_unit};
-use super::words::is_identity_of_words;
-use texmath::{
-    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, base_alone, is_constant, letters,
-    names_in,
-};
+use super::words::{Letters, is_sign_of_transpose, is_unknown_term};
 use std::collections::BTreeSet;
+use texmath::{
+    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, is_constant, letters, names_in,
+};
 
 /// The letters that a document marks.
 #[derive(Default)]
@@ -87,7 +86,7 @@ fn is_capital(name: &Name) -> bool {
 /// Returns true for a letter in bold or script, and for a term that an operator begins.
 fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
-    commands.any(|command| name.base.starts_with(command))
+    commands.any(|command| name.base.starts_with(command)) || is_unknown_term(name)
 }
 
 /// Returns true for a letter in bold, script, with an arrow or a hat.
@@ -163,7 +162,8 @@ fn reordered(equation: &Equation) -> Vec<Vec<Tree>> {
         let others = all.iter().skip(place + 1).filter(|other| is_reordered(one, other));
         found.extend(others.map(|_| one.to_vec()));
     }
-    let holds = || is_identity_of_words(equation, &BTreeSet::new());
+    let none = BTreeSet::new();
+    let holds = || Letters::new(&none).has_identity(equation);
     match found.is_empty() || equation.relation != Relation::Equal || holds() {
         true => Vec::new(),
         false => found,
@@ -486,12 +486,16 @@ impl Marks {
                 || all().any(|equation| needs_reals(&equation.left) || needs_reals(&equation.right))
         };
         let operators = found(&self.operators);
-        let is_identity = || {
-            let is_one = |equation: &&Equation| is_identity_of_words(equation, &self.operators);
-            stated.below.is_empty() && stated.own.iter().all(is_one)
+        // what holds by addition and multiplication alone holds of all of them
+        let letters = Letters::new(&self.operators).with_values(&stated.below);
+        let is_said = |equation: &&Equation| {
+            letters.has_identity(equation) || stated.below.iter().any(|given| letters.are_one(equation, given))
         };
+        if !stated.own.is_empty() && stated.own.iter().all(is_said) {
+            return Vec::new();
+        }
         let mut doubts = Vec::new();
-        let may_depend = operators.len() > 1 && !is_identity();
+        let may_depend = operators.len() > 1;
         if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
             doubts.push(format!(
                 "{}: real numbers, or matrices, vectors or operators, as the document marks them?",
@@ -541,22 +545,6 @@ fn holds(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
 
 fn has_accent(name: &Name, accents: &[&str]) -> bool {
     name.accents.iter().any(|accent| accents.contains(&accent.as_str()))
-}
-
-/// Returns true if an exponent is the sign of a transpose or an adjoint.
-fn is_sign_of_transpose(of: &Tree, exponent: &Tree) -> bool {
-    let Tree::Symbol(name, _) = exponent else {
-        return false;
-    };
-    let is_capital =
-        |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()));
-    let is_alone = *name == base_alone(name);
-    match name.base.as_str() {
-        r"\top" | r"\intercal" | r"\dagger" => true,
-        "T" => is_alone && !matches!(of, Tree::Number(_)),
-        "H" => is_alone && is_capital(of),
-        _ => false,
-    }
 }
 
 /// Returns true if one factor is the inverse of the other, to the same power.

@@ -3,6 +3,7 @@
 use super::super::fault::File;
 use super::comment::{is_misspelt, is_of_document};
 use super::macros::{DEFINING, Macros};
+use super::markdown::unescaped;
 use super::rows::{Row, blank, rows};
 use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
 use std::collections::{HashMap, HashSet, VecDeque};
@@ -53,6 +54,10 @@ pub(super) struct Formula {
     pub is_doubtful: bool,
     /// Whether it continues the formula before it.
     pub is_link: bool,
+    /// The formulas that an arrow leads from to it, by number.
+    pub implied_by: Range<usize>,
+    /// Whether it stands before the first of such arrows.
+    pub is_assumed: bool,
     /// Whether it goes with the formula before it: as a link, or as another row of a display with one number or none.
     pub goes_with_last: bool,
     /// The number of the first formula of its display.
@@ -318,7 +323,10 @@ impl<'a> Scan<'a> {
     fn file(&mut self, name: Option<String>, text: &str) {
         let start = self.text.len();
         self.files.push(File { start, name });
-        self.text.push_str(text);
+        match self.markup {
+            Markup::Tex => self.text.push_str(text),
+            Markup::Markdown => self.text.push_str(&unescaped(text)),
+        }
         if !text.ends_with('\n') {
             self.text.push('\n');
         }
@@ -1249,6 +1257,8 @@ impl<'a> Scan<'a> {
             labels: row.labels,
             is_link: row.continues.is_some(),
             is_doubtful: row.is_doubtful,
+            implied_by: 0..0,
+            is_assumed: false,
             goes_with_last,
             first,
             comments: Vec::new(),

@@ -3,11 +3,14 @@
 use num_traits::{One, Zero};
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
-use texmath::{Equation, Name, Relation, Tree, any};
+use texmath::{Equation, Name, Relation, Tree, any, base_alone, is_unknown};
 
 /// The most terms of a sum of words, and the highest power that is multiplied out.
 const MOST_TERMS: usize = 2_000;
 const HIGHEST_POWER: i32 = 12;
+
+/// Values within values beyond which nothing is put in.
+const DEEPEST: usize = 20;
 
 /// A product: its commuting factors with their powers, and the others in their order.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,76 +39,157 @@ impl Word {
         }
         product
     }
+
+    /// The word whose factors, each transposed, stand in the other order.
+    fn transposed(self) -> Self {
+        let factors = self.others.into_iter().rev();
+        let others = factors.map(|(factor, power)| match factor.strip_suffix(TRANSPOSED) {
+            Some(plain) => (plain.to_owned(), power),
+            None => (format!("{factor}{TRANSPOSED}"), power),
+        });
+        Self {
+            commuting: self.commuting,
+            others: others.collect(),
+        }
+    }
 }
+
+/// The mark of a factor that is transposed.
+const TRANSPOSED: char = '\u{22a4}';
 
 /// A sum of words with their coefficients.
 type Words = BTreeMap<Word, Rational>;
 
-/// Returns true if an equation holds where the factors of these letters never change places.
-pub(super) fn is_identity_of_words(equation: &Equation, operators: &BTreeSet<Name>) -> bool {
-    let sides = [&equation.left, &equation.right].map(|side| expanded(side, operators));
-    let [Some(left), Some(right)] = sides else {
-        return false;
-    };
-    equation.relation == Relation::Equal && left == right
+/// What is known of the letters of a document.
+pub(super) struct Letters<'a> {
+    /// Those that do not commute.
+    operators: &'a BTreeSet<Name>,
+    /// Those that equations define, with their values.
+    values: BTreeMap<&'a Name, &'a Tree>,
 }
 
-/// Multiplies a tree out; `None` where it is too large or divides by a sum.
-fn expanded(tree: &Tree, operators: &BTreeSet<Name>) -> Option<Words> {
-    let expand = |tree: &Tree| expanded(tree, operators);
-    match tree {
-        Tree::Number(number) => Some(constant(number.clone())),
-        Tree::Negate(of) => {
-            let terms = expand(of)?.into_iter();
-            Some(terms.map(|(word, coefficient)| (word, -coefficient)).collect())
+impl<'a> Letters<'a> {
+    pub fn new(operators: &'a BTreeSet<Name>) -> Self {
+        Self {
+            operators,
+            values: BTreeMap::new(),
         }
-        Tree::Sum(parts) => {
-            let mut sum = Words::new();
-            for part in parts {
-                for (word, coefficient) in expand(part)? {
-                    add(&mut sum, word, coefficient);
+    }
+
+    /// Takes the values that equations give their left sides.
+    pub fn with_values(mut self, given: &[&'a Equation]) -> Self {
+        for equation in given {
+            if let (Tree::Symbol(name, _), Relation::Equal) = (&equation.left, equation.relation) {
+                self.values.insert(name, &equation.right);
+            }
+        }
+        self
+    }
+
+    /// Returns true if an equation holds, whatever the letters are that do not commute.
+    pub fn has_identity(&self, equation: &Equation) -> bool {
+        equation.relation == Relation::Equal && self.difference(equation).is_some_and(|words| words.is_empty())
+    }
+
+    /// Returns true if an equation says what another one says.
+    pub fn are_one(&self, equation: &Equation, other: &Equation) -> bool {
+        let are_equations = [equation, other].iter().all(|one| one.relation == Relation::Equal);
+        are_equations
+            && match (self.difference(equation), self.difference(other)) {
+                (Some(one), Some(other)) => one == other || one == negated(&other),
+                _ => false,
+            }
+    }
+
+    /// The left side less the right one.
+    fn difference(&self, equation: &Equation) -> Option<Words> {
+        let mut words = self.expanded(&equation.left, 0)?;
+        for (word, coefficient) in self.expanded(&equation.right, 0)? {
+            add(&mut words, word, -coefficient);
+        }
+        Some(words)
+    }
+
+    /// Multiplies a tree out, which stands in so many values; `None` where it is too large or divides by a sum.
+    fn expanded(&self, tree: &Tree, depth: usize) -> Option<Words> {
+        let expand = |tree: &Tree| self.expanded(tree, depth);
+        match tree {
+            Tree::Symbol(name, _) if self.values.contains_key(name) => {
+                let value = self.values.get(name)?;
+                (depth < DEEPEST).then(|| self.expanded(value, depth + 1)).flatten()
+            }
+            Tree::Number(number) => Some(constant(number.clone())),
+            Tree::Negate(of) => Some(negated(&expand(of)?)),
+            Tree::Sum(parts) => {
+                let mut sum = Words::new();
+                for part in parts {
+                    for (word, coefficient) in expand(part)? {
+                        add(&mut sum, word, coefficient);
+                    }
+                }
+                (sum.len() <= MOST_TERMS).then_some(sum)
+            }
+            Tree::Product(factors) => factors.iter().try_fold(constant(Rational::one()), |product, factor| {
+                times(&product, &expand(factor)?)
+            }),
+            Tree::Power(of, exponent, _) if (0..=HIGHEST_POWER).contains(exponent) => {
+                let of = expand(of)?;
+                (0..*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
+            }
+            Tree::Power(of, exponent, _) if (-HIGHEST_POWER..0).contains(exponent) => {
+                let of = inverse(&expand(of)?).unwrap_or_else(|| self.atom(of, -1));
+                (0..-*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
+            }
+            // a quotient does not say on which side the divisor stands
+            Tree::Quotient(above, below, _) => {
+                let below = expand(below)?;
+                let commutes = below.keys().all(|word| word.others.is_empty());
+                times(&expand(above)?, &inverse(&below).filter(|_| commutes)?)
+            }
+            Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => {
+                let of = expand(of)?;
+                let may_conjugate = !matches!(&**exponent, Tree::Symbol(name, _) if ["T", r"\top", r"\intercal"].contains(&name.base.as_str()));
+                let has_scalars = of.keys().any(|word| !word.commuting.is_empty());
+                match may_conjugate && has_scalars {
+                    true => Some(self.atom(tree, 1)),
+                    false => Some(
+                        of.into_iter()
+                            .map(|(word, coefficient)| (word.transposed(), coefficient))
+                            .collect(),
+                    ),
                 }
             }
-            (sum.len() <= MOST_TERMS).then_some(sum)
+            tree => Some(self.atom(tree, 1)),
         }
-        Tree::Product(factors) => factors.iter().try_fold(constant(Rational::one()), |product, factor| {
-            times(&product, &expand(factor)?)
-        }),
-        Tree::Power(of, exponent, _) if (0..=HIGHEST_POWER).contains(exponent) => {
-            let of = expand(of)?;
-            (0..*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
-        }
-        Tree::Power(of, exponent, _) if (-HIGHEST_POWER..0).contains(exponent) => {
-            let of = inverse(&expand(of)?).unwrap_or_else(|| atom(of, -1, operators));
-            (0..-*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
-        }
-        // a quotient does not say on which side the divisor stands
-        Tree::Quotient(above, below, _) => {
-            let below = expand(below)?;
-            let commutes = below.keys().all(|word| word.others.is_empty());
-            times(&expand(above)?, &inverse(&below).filter(|_| commutes)?)
-        }
-        tree => Some(atom(tree, 1, operators)),
     }
+
+    /// A power of what is not looked into.
+    fn atom(&self, tree: &Tree, power: i32) -> Words {
+        let is_operator = |node: &Tree| {
+            matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..)
+                if self.operators.contains(name) || self.values.contains_key(name))
+        };
+        let mut word = Word::default();
+        if any(tree, &mut |node| is_operator(node)) {
+            word.others.push((tree.to_string(), power));
+        } else {
+            word.commuting.insert(tree.to_string(), power);
+        }
+        Words::from([(word, Rational::from_integer(1))])
+    }
+}
+
+fn negated(words: &Words) -> Words {
+    let terms = words.iter();
+    terms
+        .map(|(word, coefficient)| (word.clone(), -coefficient.clone()))
+        .collect()
 }
 
 fn constant(value: Rational) -> Words {
     let mut words = Words::new();
     add(&mut words, Word::default(), value);
     words
-}
-
-/// A power of what is not looked into.
-fn atom(tree: &Tree, power: i32, operators: &BTreeSet<Name>) -> Words {
-    let is_operator =
-        |node: &Tree| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if operators.contains(name));
-    let mut word = Word::default();
-    if any(tree, &mut |node| is_operator(node)) {
-        word.others.push((tree.to_string(), power));
-    } else {
-        word.commuting.insert(tree.to_string(), power);
-    }
-    Words::from([(word, Rational::from_integer(1))])
 }
 
 fn add(sum: &mut Words, word: Word, coefficient: Rational) {
@@ -151,6 +235,30 @@ fn inverse(words: &Words) -> Option<Words> {
     Some(Words::from([(word, Rational::one() / coefficient.clone())]))
 }
 
+/// Returns true if an exponent is the sign of a transpose or an adjoint.
+pub(super) fn is_sign_of_transpose(of: &Tree, exponent: &Tree) -> bool {
+    let Tree::Symbol(name, _) = exponent else {
+        return false;
+    };
+    let is_capital =
+        |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()));
+    let is_alone = *name == base_alone(name);
+    match name.base.as_str() {
+        // x^\T of a macro that is not at hand
+        _ if is_unknown_term(name) => true,
+        r"\top" | r"\intercal" | r"\dagger" => true,
+        "T" => is_alone && !matches!(of, Tree::Number(_)),
+        "H" => is_alone && is_capital(of),
+        _ => false,
+    }
+}
+
+/// Returns true for a term of a macro that is not at hand.
+pub(super) fn is_unknown_term(name: &Name) -> bool {
+    let command = name.base.split('{').next().unwrap_or_default();
+    is_unknown(command)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,7 +271,8 @@ mod tests {
         };
         let operators = operators.iter().map(name).collect();
         let read = read(tex, &Names::default()).unwrap();
-        read.iter().all(|equation| is_identity_of_words(equation, &operators))
+        read.iter()
+            .all(|equation| Letters::new(&operators).has_identity(equation))
     }
 
     #[test]
@@ -176,6 +285,8 @@ mod tests {
             "(A m B)^{-1} = m^{-1} B^{-1} A^{-1}",
             "(A C)(B C)^{-1} = A B^{-1}",
             "A B - A B = 0",
+            "(A B)^T = B^T A^T",
+            r"(A^{-1} B^\top)^\top = B (A^\top)^{-1}",
         ] {
             assert!(holds(tex, &["A", "B", "C"]), "{tex}");
         }
@@ -187,9 +298,19 @@ mod tests {
             "e^{A + B} = e^A e^B",
             r"\frac{B}{A} A = B",
             "(A B)^{-1} = A^{-1} B^{-1}",
+            "(A B)^T = A^T B^T",
+            "(z A)^H = z A^H",
         ] {
             assert!(!holds(tex, &["A", "B", "C"]), "{tex}");
         }
         assert!(holds("(a + b)(a - b) = a^2 - b^2", &["A"]));
+        let (operators, names) = (BTreeSet::new(), Names::default());
+        let given = read("C = A B, A B A = C + B", &names).unwrap();
+        let given: Vec<&Equation> = given.iter().collect();
+        let letters = Letters::new(&operators).with_values(&given);
+        let has = |tex: &str| letters.has_identity(&read(tex, &names).unwrap()[0]);
+        assert!(has("C A = A B A") && !has("C = B A B"));
+        let is_said = |tex: &str| letters.are_one(&read(tex, &names).unwrap()[0], given[1]);
+        assert!(is_said("B = A B A - A B") && !is_said("B = 2 A B A - 2 A B"));
     }
 }
