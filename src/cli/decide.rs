@@ -9,7 +9,7 @@ use crate::prove::{self, mention_refuted};
 use crate::repair::{Repair, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
-use crate::tex::{Equation, Relation, Tree, any_side, names_in};
+use crate::tex::{Equation, Relation, Tree, any_side, is_opaque, names_in};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -131,6 +131,8 @@ fn is_loose(sheet: &Sheet, position: usize) -> bool {
         .any(|three| three[0].is_ascii_digit() && three[1] == '.' && three[2].is_ascii_digit());
     let is_letter =
         |tree: &Tree, letters: &[&str]| matches!(tree, Tree::Symbol(name, _) if letters.contains(&name.base.as_str()));
+    // what is not understood may be anything
+    let is_term = |node: &Tree| matches!(node, Tree::Symbol(name, _) if is_opaque(name));
     let counts_turns = |node: &Tree| match node {
         Tree::Product(factors) => {
             factors.iter().any(|factor| is_letter(factor, &[r"\pi"]))
@@ -142,7 +144,9 @@ fn is_loose(sheet: &Sheet, position: usize) -> bool {
     };
     let is_loose = |equation: &Equation| {
         equation.relation != Relation::Equal
-            || any_side(equation, &mut |node| counts_turns(node) || is_letter(node, &["C"]))
+            || any_side(equation, &mut |node| {
+                counts_turns(node) || is_letter(node, &["C"]) || is_term(node)
+            })
     };
     is_rounded || entry.equations.iter().any(is_loose)
 }
@@ -164,7 +168,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             )
         })
         .transpose()?;
-    let is_link = matches!(decision.standing, Standing::Link | Standing::Implied)
+    let is_link = decision.standing == Standing::Link
         && decision.fails
         && has_one_set_of_letters(sheet, position)
         && !is_loose(sheet, position);

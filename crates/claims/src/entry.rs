@@ -107,8 +107,6 @@ pub enum Standing {
     Law,
     /// A link of a chain.
     Link,
-    /// What an arrow leads to from what it rests on.
-    Implied,
     /// Anything else.
     Open,
 }

@@ -94,7 +94,7 @@ impl Decision {
 
     /// Makes the decision on a link of a chain that it is suspect: it fails, and a small repair of it is proved.
     pub fn suspect(&mut self) {
-        if self.fails && matches!(self.standing, Standing::Link | Standing::Implied) {
+        if self.fails && self.standing == Standing::Link {
             self.verdict = Verdict::Suspect;
         }
     }
@@ -199,33 +199,18 @@ impl Decision {
     }
 }
 
-/// Says of each decision that rests on a refuted claim that it does; what is implied by a formula that is not shown is undecided.
+/// Says of each decision that rests on a refuted claim that it does.
 pub fn mention_refuted<'a>(sheet: &Sheet, decisions: impl Iterator<Item = &'a mut Decision>) {
     let mut decisions: Vec<&mut Decision> = decisions.collect();
     let refuted = decisions.iter().filter(|d| d.verdict == Verdict::Refuted);
     let refuted: HashSet<String> = refuted.map(|d| d.label.clone()).collect();
     let positions = sheet.positions();
-    let mut not_shown: HashSet<String> = HashSet::new();
     for decision in &mut decisions {
         let position = positions.get(decision.label.as_str());
         let Some(entry) = position.and_then(|&n| sheet.entries.get(n)) else {
             continue;
         };
         let premises = entry.follows_from.iter().filter_map(|&n| sheet.entries.get(n));
-        let open = premises.clone().find(|premise| not_shown.contains(&premise.label));
-        if let Some(premise) =
-            open.filter(|_| decision.standing == Standing::Implied && decision.verdict == Verdict::Proved)
-        {
-            decision.verdict = Verdict::Undecided;
-            decision.reason = format!(
-                "holds if ({}) does, which is not shown; {}",
-                premise.label, decision.reason
-            );
-        }
-        let is_derived = matches!(decision.standing, Standing::Link | Standing::Implied | Standing::Open);
-        if is_derived && decision.verdict != Verdict::Proved {
-            not_shown.insert(decision.label.clone());
-        }
         let wrong = premises.filter(|premise| refuted.contains(&premise.label));
         let wrong: Vec<String> = wrong.map(|premise| format!("({})", premise.label)).collect();
         if !wrong.is_empty() && decision.verdict != Verdict::Unread {

@@ -121,12 +121,26 @@ const NO_TERMS: &str = "
 ";
 
 /// Returns true for a command that is not known, `\qdot` of a macro that is not at hand.
-pub fn is_unknown(text: &str) -> bool {
+fn is_unknown(text: &str) -> bool {
     let name = text.strip_prefix('\\').unwrap_or_default();
     !name.is_empty()
         && name.bytes().all(|byte| byte.is_ascii_alphabetic())
         && matches!(command(text), Command::Unknown(""))
         && !NO_TERMS.split_whitespace().any(|known| known == name)
+}
+
+/// Returns true for a command that is not read, known or not.
+pub(super) fn is_unread(text: &str) -> bool {
+    text.starts_with('\\') && matches!(command(text), Command::Unknown(_))
+}
+
+/// Returns true if a command that is not known stands in a text.
+pub fn holds_unknown(text: &str) -> bool {
+    text.match_indices('\\').any(|(at, _)| {
+        let rest = text.get(at + 1..).unwrap_or_default();
+        let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        text.get(at..=at + length).is_some_and(is_unknown)
+    })
 }
 
 /// Returns true for the command of a letter, `\alpha`.

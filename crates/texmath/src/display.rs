@@ -2,6 +2,7 @@
 
 use super::conditions::conditions_of;
 use super::error::{Fault, Reason};
+use super::hidden;
 use super::layout::Plain;
 use super::reader::Reader;
 use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
@@ -61,7 +62,8 @@ pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
         let tree = reader.sum()?;
         reader.finish("the end of the expression").map(|()| *tree)
     };
-    read().map_err(|fault| fault.located(tex))
+    let hidden = || Some(Tree::Symbol(hidden::name(tex, names)?, At(0)));
+    read().or_else(|fault| hidden().ok_or_else(|| fault.located(tex)))
 }
 
 /// Reads one name, such as `\dot{Z}_{k+1}^-`, as a formula would hold it.
@@ -91,11 +93,31 @@ pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
     statements.into_iter().filter_map(given).collect()
 }
 
+/// Reads what a display states. Where terms that are not understood are symbols, one that cannot be read is.
 fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
+    let mut plain = Plain::of(tex, names);
+    let first = match statements_of(&plain, names) {
+        Err(fault) if names.opaque.is_some() => fault,
+        read => return read,
+    };
+    let mut place = first.place();
+    for _ in 0..hidden::MOST {
+        let Some(next) = place.and_then(|place| plain.hidden(place)) else {
+            break;
+        };
+        plain = next;
+        match statements_of(&plain, names) {
+            Ok(display) => return Ok(display),
+            Err(fault) => place = fault.place(),
+        }
+    }
+    Err(first)
+}
+
+fn statements_of(plain: &Plain<'_>, names: &Names) -> Result<Display, Fault> {
     let (mut display, mut conditions, mut stated) = (Display::default(), Vec::new(), 0);
-    let plain = Plain::of(tex, names);
     let (text, remark) = plain.without_remark();
-    let statements = divided(text, &plain)?;
+    let statements = divided(text, plain)?;
     end_at_conditions(&statements)?;
     for statement in statements {
         let (tokens, stands) = (&statement.tokens, statement.stands);

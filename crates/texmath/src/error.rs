@@ -122,6 +122,15 @@ impl Fault {
         Self::new(at, Reason::Unclosed { open })
     }
 
+    /// The place of what may be put out of sight: of a formula that is no equation, or is too large, nothing is.
+    pub(super) fn place(&self) -> Option<usize> {
+        let is_whole = matches!(
+            *self.reason,
+            Reason::TooLong { .. } | Reason::TooDeep { .. } | Reason::NoEquation | Reason::NoCondition
+        );
+        (!is_whole).then_some(self.at)
+    }
+
     /// The same fault at another place.
     pub(super) fn moved(self, to: impl Fn(usize) -> usize) -> Self {
         let at = to(self.at);

@@ -4,7 +4,7 @@
 //! They are those of the packages physics, mathtools, nicefrac, cancel, xcolor, siunitx and IEEEtrantools, and some of plain TeX.
 //! Each place of what is written knows where in the source it comes from.
 
-use super::command::{invariant, is_letter as is_letter_command, is_unknown};
+use super::command::{holds_unknown, invariant, is_letter as is_letter_command};
 use super::elementary::Elementary;
 use super::{Name, Names};
 use std::borrow::Cow;
@@ -161,7 +161,7 @@ const RELATIONS: [&str; 16] = [
 pub(super) struct Plain<'a> {
     pub text: Cow<'a, str>,
     /// The parts of the text: the start of each, its place in the source, and true if it was copied from there.
-    parts: Vec<(usize, usize, bool)>,
+    pub parts: Vec<(usize, usize, bool)>,
 }
 
 impl<'a> Plain<'a> {
@@ -577,15 +577,6 @@ impl<'a> Writer<'a, '_> {
             return self
                 .term_end(next, end)
                 .filter(|close| !self.slice(next, *close).trim().is_empty());
-        }
-        let token = self.slice(at, next);
-        if is_unknown(token) && TABLE.iter().all(|(command, ..)| *command != &token[1..]) {
-            // a macro that is not at hand, with what it is given
-            let mut close = next;
-            while self.byte(close) == b'{' {
-                close = self.closing.get(close).copied().flatten().filter(|own| *own < end)? + 1;
-            }
-            return Some(close);
         }
         if [r"\Delta", r"\delta"].contains(&self.slice(at, next)) {
             // the difference or variation of a letter is one name
@@ -1016,7 +1007,8 @@ fn is_bold(base: &str) -> bool {
 
 /// Returns true for the symbol that a term which is not understood was read as; a letter in bold is understood.
 pub fn is_opaque(name: &Name) -> bool {
-    (name.base.contains(['(', '[', '{', '_', '^', '|', ' ']) && !is_bold(&name.base)) || is_unknown(&name.base)
+    let is_term = name.base.contains(['(', '[', '{', '_', '^', '|', ' ']) || holds_unknown(&name.base);
+    is_term && !is_bold(&name.base)
 }
 
 /// The characters around a symbol that is a whole term.
@@ -1043,7 +1035,7 @@ pub fn derivative_of(base: &str) -> Option<&str> {
 }
 
 /// A term as one symbol, however its brackets and blanks are printed.
-fn opened(term: &str) -> String {
+pub(super) fn opened(term: &str) -> String {
     let sizes = [
         r"\left", r"\right", r"\bigl", r"\bigr", r"\Bigl", r"\Bigr", r"\biggl", r"\biggr", r"\,", r"\;", r"\!", r"\:",
     ];

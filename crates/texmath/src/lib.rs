@@ -55,6 +55,7 @@ mod evaluate;
 mod exponent;
 mod extremum;
 mod factorial;
+mod hidden;
 mod layout;
 mod lexer;
 mod mathml;
@@ -77,7 +78,7 @@ mod symbols;
 mod token;
 mod tree;
 
-pub use command::is_unknown;
+pub use command::holds_unknown;
 pub use command::with_commands;
 pub use conditions::read_conditions;
 pub use declared::{Undeclared, Unknown};

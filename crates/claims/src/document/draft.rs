@@ -53,7 +53,6 @@ fn of_entry(entry: &RawEntry) -> String {
         Standing::Definition => "definition",
         Standing::Law => "law",
         Standing::Link => "link",
-        Standing::Implied => "implied",
         Standing::Open => "open",
     };
     if !standing.is_empty() {

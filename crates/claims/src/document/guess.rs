@@ -11,6 +11,7 @@ use super::marks::{Marks, OF_COMPLEX, Stated};
 use super::members::Members;
 use super::outline::Outline;
 use super::scan::Formula;
+use super::words::Letters;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use texmath::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
@@ -39,10 +40,6 @@ pub(super) struct Asked<'a> {
     pub tex: &'a str,
     /// True for a link of a chain.
     pub is_link: bool,
-    /// The formulas that an arrow leads from to it.
-    pub implied_by: &'a [String],
-    /// True if such an arrow leads from it, and none to it.
-    pub is_assumed: bool,
     /// True for the first of a chain.
     pub is_head: bool,
     /// The role that its author gives it.
@@ -557,8 +554,6 @@ impl Guess {
             label,
             tex,
             is_link,
-            implied_by,
-            is_assumed,
             is_head,
             role,
             is_founded,
@@ -590,15 +585,9 @@ impl Guess {
         // a chain begins with an identity where its first sides have the same letters
         let begins_alike =
             is_head && matches!(equations.as_slice(), [one] if letters_of(&one.left) == letters_of(&one.right));
-        let is_derived = is_link || !implied_by.is_empty();
         let may_be_law =
-            is_guess && role == Role::Claim && !is_derived && !begins_alike && self.may_be_law(&equations, &names);
-        // of what is assumed, a link says something where it is set to a number
-        let is_set = matches!(equations.as_slice(), [one] if letters_of(&one.left).is_empty() || letters_of(&one.right).is_empty());
+            is_guess && role == Role::Claim && !is_link && !begins_alike && self.may_be_law(&equations, &names);
         let standing = match may_be_law {
-            _ if !implied_by.is_empty() => Standing::Implied,
-            _ if is_assumed && (!is_link || is_set) => Standing::Law,
-            _ if is_link => Standing::Link,
             true => Standing::Law,
             false if begins_alike => Standing::Link,
             false if equations.is_empty() => self.outlined(tex),
@@ -613,16 +602,13 @@ impl Guess {
             let reached = self.reached(&names);
             let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
             below.extend(again.filter(|own| *own != label).cloned());
-            let implying = implied_by.iter().filter(|own| !below.contains(own));
-            below.extend(implying.cloned().collect::<Vec<_>>());
             below.extend(self.premises.iter().cloned());
             let is_plain = self.conflict(at).is_none()
                 && !self.open.contains_key(label)
                 && loose.is_none()
                 && !names.iter().any(|name| self.marks.has(name));
             if !may_be_law && let [equation] = equations.as_slice() {
-                let premises = self.premises_of(equation).into_iter();
-                below.extend(premises.filter(|own| !implied_by.contains(own)));
+                below.extend(self.premises_of(equation));
             }
             // what is derived may be wrong: only what is said is a premise
             if is_plain && (may_be_law || (is_link && self.may_be_law(&equations, &names))) {
@@ -935,6 +921,16 @@ impl Guess {
             false => !self.definitions.contains_key(name),
         };
         let mut doubts = self.marks.doubts(&stated, &is_free);
+        let again: BTreeSet<&String> = self.again.values().flatten().collect();
+        let (rivals, others): (Vec<&String>, Vec<&String>) =
+            labels.iter().copied().partition(|own| again.contains(own));
+        let others: Vec<&Equation> = others.iter().flat_map(|own| equations(own)).collect();
+        let none = BTreeSet::new();
+        let letters = Letters::new(&none).with_values(&others);
+        let rival = rivals
+            .into_iter()
+            .find(|own| !equations(own).all(|equation| letters.has_identity(equation)));
+        doubts.extend(rival.map(|own| format!("({own}) may give its letter a new meaning")));
         if !self.has_symbols {
             let own = labels.iter().map(|label| label.as_str()).chain([label.as_str()]);
             let open = own

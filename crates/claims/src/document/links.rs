@@ -37,75 +37,98 @@ const IMPLYING: [&str; 6] = [
 /// The most links that a formula is parted into.
 const MOST: usize = 100;
 
-/// Parts each chain `A = B = C` into `A = B` and its link `B = C`, and `A = B \Rightarrow C = D \Rightarrow E = F` into what it
-/// states, each implied by the one before; `text` is what the formulas stand in. One implication between two equations stays
-/// whole: what it assumes may hold nowhere else.
+/// Parts each chain `A = B = C` into `A = B` and its link `B = C`, and `A \Rightarrow B = C \Leftrightarrow D` into `A \Rightarrow B`, `B = C` and
+/// `B = C \Leftrightarrow D`; what an arrow begins follows from the last formula. `text` is what the formulas stand in.
 pub(super) fn parted(formulas: Vec<Formula>, text: &str) -> Vec<Formula> {
     let mut all: Vec<Formula> = Vec::with_capacity(formulas.len());
     // where each display begins in what is made
     let mut firsts: Vec<usize> = Vec::with_capacity(formulas.len());
-    // the formulas of the last statement
-    let mut last = 0..0;
-    let mut formulas = formulas.into_iter().peekable();
-    while let Some(formula) = formulas.next() {
+    // what is stated last
+    let mut last = String::new();
+    for formula in formulas {
         firsts.push(all.len());
         let first = firsts.get(formula.first).copied().unwrap_or_default();
         let tex = formula.tex.as_deref().unwrap_or_default();
-        let (is_implied, statements) = statements(tex);
-        let parts: Vec<Vec<Range<usize>>> = statements.iter().map(|own| links(tex, own.clone())).collect();
-        // what it states is given to the next
-        let leads = formulas
-            .peek()
-            .is_some_and(|next| next.tex.as_deref().is_ok_and(begins_with_arrow));
-        let is_whole = !is_implied
-            && match parts.as_slice() {
-                [one] => one.len() < 2,
-                [one, other] => one.len() < 2 && other.len() < 2 && !leads,
-                _ => false,
-            };
-        if is_whole {
-            last = all.len()..all.len() + 1;
+        // a macro that was replaced shifts what stands behind it
+        let is_as_printed = text.get(formula.part.clone()) == Some(tex);
+        let parts = parts(tex, &last);
+        if let Some(stated) = statements(tex).last() {
+            let link = links(tex, stated.clone()).pop().unwrap_or_else(|| stated.clone());
+            tex.get(link).unwrap_or_default().clone_into(&mut last);
+        }
+        if parts.len() < 2 && parts.iter().all(|part| part.given.is_none()) {
             all.push(Formula { first, ..formula });
             continue;
         }
-        // a macro that was replaced shifts what stands behind it
-        let is_as_printed = text.get(formula.part.clone()) == Some(tex);
-        let mut implied_by = if is_implied { last.clone() } else { 0..0 };
-        let (mut is_first, mut is_assumed) = (true, !is_implied && statements.len() > 1);
-        for (statement, links) in statements.into_iter().zip(parts) {
-            let start = all.len();
-            let links = if links.is_empty() { vec![statement] } else { links };
-            for (number, link) in links.into_iter().enumerate() {
-                let part = match is_as_printed {
-                    true => formula.part.start + link.start..formula.part.start + link.end,
+        for (number, part) in parts.into_iter().enumerate() {
+            let own = tex.get(part.range.clone()).unwrap_or_default();
+            all.push(Formula {
+                part: match is_as_printed {
+                    true => formula.part.start + part.range.start..formula.part.start + part.range.end,
                     false => formula.part.clone(),
-                };
-                all.push(Formula {
-                    part,
-                    tex: Ok(tex.get(link).unwrap_or_default().to_owned()),
-                    is_link: number > 0 || (is_first && formula.is_link),
-                    goes_with_last: !is_first || formula.goes_with_last,
-                    implied_by: implied_by.clone(),
-                    is_assumed,
-                    first,
-                    ..formula.clone()
-                });
-                is_first = false;
-            }
-            implied_by = start..all.len();
-            is_assumed = false;
+                },
+                tex: Ok(part
+                    .given
+                    .map_or_else(|| own.to_owned(), |given| format!("{given} {own}"))),
+                is_link: part.is_link || (number == 0 && formula.is_link),
+                goes_with_last: number > 0 || formula.goes_with_last,
+                first,
+                ..formula.clone()
+            });
         }
-        last = implied_by;
     }
     all
 }
 
-fn begins_with_arrow(tex: &str) -> bool {
-    statements(tex).0
+/// A formula that is judged by itself.
+struct Part {
+    range: Range<usize>,
+    /// What its arrow leads from, where that does not stand before it.
+    given: Option<String>,
+    is_link: bool,
 }
 
-/// The statements that arrows of implication part, and true if an arrow stands before the first.
-fn statements(tex: &str) -> (bool, Vec<Range<usize>>) {
+/// The parts of a formula: the links of each statement, and each arrow with the link before and the one behind it. A statement of
+/// one link beside an arrow is no formula of its own: what is assumed there may hold nowhere else.
+fn parts(tex: &str, last: &str) -> Vec<Part> {
+    let part = |range, is_link| Part {
+        range,
+        given: None,
+        is_link,
+    };
+    let mut all = Vec::new();
+    let mut before: Option<Range<usize>> = None;
+    let statements = statements(tex);
+    for statement in &statements {
+        let links = match links(tex, statement.clone()) {
+            links if links.is_empty() => vec![statement.clone()],
+            links => links,
+        };
+        let Some(link) = links.first() else { continue };
+        let arrow = arrow_before(tex, statement.start);
+        match (before, arrow) {
+            (Some(before), _) => all.push(part(before.start..link.end, false)),
+            (None, Some(arrow)) if !last.is_empty() => all.push(Part {
+                given: Some(last.to_owned()),
+                ..part(arrow..link.end, false)
+            }),
+            _ if links.len() > 1 || statements.len() == 1 => all.push(part(link.clone(), false)),
+            _ => {}
+        }
+        all.extend(links.iter().skip(1).map(|link| part(link.clone(), true)));
+        before = links.last().cloned();
+    }
+    all
+}
+
+/// Where the arrow begins that leads to a statement.
+fn arrow_before(tex: &str, start: usize) -> Option<usize> {
+    let before = tex.get(..start).unwrap_or_default();
+    IMPLYING.iter().filter_map(|arrow| before.rfind(arrow)).max()
+}
+
+/// The statements that arrows of implication part.
+fn statements(tex: &str) -> Vec<Range<usize>> {
     let mut bounds = vec![0];
     for met in outside(tex, 0..tex.len()) {
         if let Outside::Relation(at) = met
@@ -115,17 +138,11 @@ fn statements(tex: &str) -> (bool, Vec<Range<usize>>) {
         }
     }
     bounds.push(tex.len());
-    let all: Vec<Range<usize>> = bounds
-        .chunks_exact(2)
-        .filter_map(|pair| match pair {
-            [start, end] => Some(printed(tex, *start..*end)),
-            _ => None,
-        })
-        .collect();
-    match all.as_slice() {
-        [before, behind, ..] if before.is_empty() && behind.end > behind.start => (true, all[1..].to_vec()),
-        _ => (false, all),
-    }
+    let all = bounds.chunks_exact(2).filter_map(|pair| match pair {
+        [start, end] => Some(printed(tex, *start..*end)),
+        _ => None,
+    });
+    all.filter(|statement| !statement.is_empty()).collect()
 }
 
 /// A part of a formula without the blanks at its ends.
@@ -219,21 +236,22 @@ mod tests {
     }
 
     #[test]
-    fn arrows_part_what_follows_from_each_other() {
-        let shown = |tex: &str| {
-            let (is_implied, all) = statements(tex);
-            (
-                is_implied,
-                all.into_iter().map(|own| tex[own].to_owned()).collect::<Vec<_>>(),
-            )
+    fn each_arrow_is_judged_by_itself() {
+        let shown = |tex: &str, last: &str| {
+            let parts = parts(tex, last).into_iter();
+            let text = |part: Part| part.given.unwrap_or_default() + &tex[part.range];
+            parts.map(text).collect::<Vec<_>>()
         };
-        let of = |all: &[&str]| all.iter().map(|own| (*own).to_owned()).collect::<Vec<_>>();
         assert_eq!(
-            shown(r"a = b \quad\Rightarrow\quad c = d \iff e = f"),
-            (false, of(&["a = b", "c = d", "e = f"]))
+            shown(r"a = b \quad\Rightarrow\quad c = d = e \iff f = g", ""),
+            [r"a = b \quad\Rightarrow\quad c = d ", " d = e", r" d = e \iff f = g"]
         );
-        assert_eq!(shown(r"\Rightarrow c = d"), (true, of(&["c = d"])));
-        assert_eq!(shown(r"a = b"), (false, of(&["a = b"])));
+        assert_eq!(
+            shown(r"a = b = c \implies d = e", ""),
+            ["a = b ", " b = c", r" b = c \implies d = e"]
+        );
+        assert_eq!(shown(r"\Rightarrow c = d", "a = b"), [r"a = b\Rightarrow c = d"]);
+        assert_eq!(shown("a = b", "x = y"), ["a = b"]);
     }
 
     #[test]

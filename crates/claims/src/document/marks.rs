@@ -1,10 +1,11 @@
 //! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
 
 use super::members::{Members, contains_unit, j_is_unit};
-use super::words::{Letters, is_sign_of_transpose, is_unknown_term};
+use super::words::{Letters, is_sign_of_transpose};
 use std::collections::BTreeSet;
 use texmath::{
-    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, is_constant, letters, names_in,
+    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, holds_unknown, is_constant,
+    letters, names_in,
 };
 
 /// The letters that a document marks.
@@ -86,7 +87,13 @@ fn is_capital(name: &Name) -> bool {
 /// Returns true for a letter in bold or script, and for a term that an operator begins.
 fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
-    commands.any(|command| name.base.starts_with(command)) || is_unknown_term(name)
+    let holds_vectors = || BOLD.iter().chain(&ARROWS).any(|sign| name.base.contains(sign));
+    let is_integral = [r"\int", r"\oint", r"\iint", r"\iiint"]
+        .iter()
+        .any(|sign| name.base.contains(sign));
+    commands.any(|command| name.base.starts_with(command))
+        || holds_unknown(&name.base)
+        || (is_integral && holds_vectors())
 }
 
 /// Returns true for a letter in bold, script, with an arrow or a hat.
@@ -322,6 +329,16 @@ impl Marks {
             }
             Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => self.mark_operators(of),
             Tree::Product(factors) => {
+                // beside w^T stands a vector or a matrix
+                let is_transposed = |factor: &Tree| matches!(factor, Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent));
+                for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
+                    if is_transposed(first) {
+                        self.mark_operators(last);
+                    }
+                    if is_transposed(last) && matches!(first, Tree::Symbol(..)) {
+                        self.mark_operators(first);
+                    }
+                }
                 // nobody writes the divisor of numbers in front, `A^{-1} b`
                 for (first, _) in factors.iter().zip(factors.iter().skip(1)) {
                     if let Tree::Power(base, -1, _) = first

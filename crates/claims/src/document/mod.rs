@@ -510,23 +510,11 @@ fn entries(
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
-        let implied_by: Vec<String> = formula
-            .implied_by
-            .clone()
-            .filter(|from| {
-                formulas
-                    .get(*from)
-                    .is_some_and(|own| own.tex.as_deref().is_ok_and(tex::relates))
-            })
-            .filter_map(|from| labels.own.get(from).cloned())
-            .collect();
         let guessed = guess.of(&Asked {
             at,
             label,
             tex: &tex,
             is_link: formula.is_link,
-            implied_by: &implied_by,
-            is_assumed: formula.is_assumed,
             is_head: formulas.get(at + 1).is_some_and(|next| next.is_link),
             role,
             is_founded: own.follows_from.is_some(),
@@ -550,6 +538,7 @@ fn entries(
         let standing = match guessed.role {
             _ if !is_plain || role.is_some() => Standing::Said,
             Role::Definition => Standing::Definition,
+            _ if formula.is_link => Standing::Link,
             _ => guessed.standing,
         };
         raw.equation.push(RawEntry {

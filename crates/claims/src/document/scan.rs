@@ -54,10 +54,6 @@ pub(super) struct Formula {
     pub is_doubtful: bool,
     /// Whether it continues the formula before it.
     pub is_link: bool,
-    /// The formulas that an arrow leads from to it, by number.
-    pub implied_by: Range<usize>,
-    /// Whether it stands before the first of such arrows.
-    pub is_assumed: bool,
     /// Whether it goes with the formula before it: as a link, or as another row of a display with one number or none.
     pub goes_with_last: bool,
     /// The number of the first formula of its display.
@@ -1257,8 +1253,6 @@ impl<'a> Scan<'a> {
             labels: row.labels,
             is_link: row.continues.is_some(),
             is_doubtful: row.is_doubtful,
-            implied_by: 0..0,
-            is_assumed: false,
             goes_with_last,
             first,
             comments: Vec::new(),

@@ -3,7 +3,7 @@
 use num_traits::{One, Zero};
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
-use texmath::{Equation, Name, Relation, Tree, any, base_alone, is_unknown};
+use texmath::{Equation, Name, Relation, Tree, any, base_alone};
 
 /// The most terms of a sum of words, and the highest power that is multiplied out.
 const MOST_TERMS: usize = 2_000;
@@ -40,6 +40,12 @@ impl Word {
         product
     }
 
+    /// How many of its factors are arrows.
+    fn vectors(&self) -> usize {
+        let is_arrow = |factor: &str| [r"\vec", r"\overrightarrow"].iter().any(|arrow| factor.contains(arrow));
+        self.others.iter().filter(|(factor, _)| is_arrow(factor)).count()
+    }
+
     /// The word whose factors, each transposed, stand in the other order.
     fn transposed(self) -> Self {
         let factors = self.others.into_iter().rev();
@@ -66,6 +72,8 @@ pub(super) struct Letters<'a> {
     operators: &'a BTreeSet<Name>,
     /// Those that equations define, with their values.
     values: BTreeMap<&'a Name, &'a Tree>,
+    /// What is printed with an inverse of its own.
+    inverted: BTreeSet<String>,
 }
 
 impl<'a> Letters<'a> {
@@ -73,6 +81,7 @@ impl<'a> Letters<'a> {
         Self {
             operators,
             values: BTreeMap::new(),
+            inverted: BTreeSet::new(),
         }
     }
 
@@ -103,8 +112,24 @@ impl<'a> Letters<'a> {
 
     /// The left side less the right one.
     fn difference(&self, equation: &Equation) -> Option<Words> {
-        let mut words = self.expanded(&equation.left, 0)?;
-        for (word, coefficient) in self.expanded(&equation.right, 0)? {
+        let mut inverted = BTreeSet::new();
+        for side in [&equation.left, &equation.right] {
+            any(side, &mut |node| {
+                if let Tree::Power(of, exponent, _) = node
+                    && *exponent < 0
+                {
+                    inverted.insert(of.to_string());
+                }
+                false
+            });
+        }
+        let own = Self {
+            operators: self.operators,
+            values: self.values.clone(),
+            inverted,
+        };
+        let mut words = own.expanded(&equation.left, 0)?;
+        for (word, coefficient) in own.expanded(&equation.right, 0)? {
             add(&mut words, word, -coefficient);
         }
         Some(words)
@@ -137,7 +162,16 @@ impl<'a> Letters<'a> {
                 (0..*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
             }
             Tree::Power(of, exponent, _) if (-HIGHEST_POWER..0).contains(exponent) => {
-                let of = inverse(&expand(of)?).unwrap_or_else(|| self.atom(of, -1));
+                // (A^T A)^{-1} says of no factor that it has an inverse
+                let has_inverse =
+                    |(factor, _): &(String, i32)| self.inverted.contains(factor.trim_end_matches(TRANSPOSED));
+                let of = inverse(&expand(of)?)
+                    .filter(|words| {
+                        words
+                            .keys()
+                            .all(|word| word.others.len() < 2 || word.others.iter().all(has_inverse))
+                    })
+                    .unwrap_or_else(|| self.atom(of, -1));
                 (0..-*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
             }
             // a quotient does not say on which side the divisor stands
@@ -206,6 +240,11 @@ fn times(left: &Words, right: &Words) -> Option<Words> {
     if left.len().saturating_mul(right.len()) > MOST_TERMS {
         return None;
     }
+    // (b c) d of vectors is not b (c d)
+    let vectors = |words: &Words| words.keys().map(Word::vectors).max().unwrap_or_default();
+    if vectors(left) + vectors(right) > 2 {
+        return None;
+    }
     let mut product = Words::new();
     for (one, first) in left {
         for (other, second) in right {
@@ -244,19 +283,11 @@ pub(super) fn is_sign_of_transpose(of: &Tree, exponent: &Tree) -> bool {
         |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()));
     let is_alone = *name == base_alone(name);
     match name.base.as_str() {
-        // x^\T of a macro that is not at hand
-        _ if is_unknown_term(name) => true,
         r"\top" | r"\intercal" | r"\dagger" => true,
         "T" => is_alone && !matches!(of, Tree::Number(_)),
         "H" => is_alone && is_capital(of),
         _ => false,
     }
-}
-
-/// Returns true for a term of a macro that is not at hand.
-pub(super) fn is_unknown_term(name: &Name) -> bool {
-    let command = name.base.split('{').next().unwrap_or_default();
-    is_unknown(command)
 }
 
 #[cfg(test)]
@@ -283,7 +314,7 @@ mod tests {
             r"\frac{A m B}{2 n} = \frac{1}{2} m A B n^{-1}",
             "A^{-1} A B = B",
             "(A m B)^{-1} = m^{-1} B^{-1} A^{-1}",
-            "(A C)(B C)^{-1} = A B^{-1}",
+            "(m B)^{-1} = m^{-1} B^{-1}",
             "A B - A B = 0",
             "(A B)^T = B^T A^T",
             r"(A^{-1} B^\top)^\top = B (A^\top)^{-1}",
@@ -298,6 +329,8 @@ mod tests {
             "e^{A + B} = e^A e^B",
             r"\frac{B}{A} A = B",
             "(A B)^{-1} = A^{-1} B^{-1}",
+            "(A C)(m B C)^{-1} = A B^{-1} m^{-1}",
+            r"(B A)(A^\top A)^{-1} A^\top = B",
             "(A B)^T = A^T B^T",
             "(z A)^H = z A^H",
         ] {
