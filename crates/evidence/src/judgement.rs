@@ -902,16 +902,10 @@ fn show<N: Numbers>(system: &System, point: &Point<N::Of<f64>>, gap: &Gap) -> St
 #[cfg(test)]
 mod tests {
     use super::*;
-    use claims::read_symbols;
-
-    fn paper() -> Sheet {
-        let symbols = read_symbols(include_str!("../../../golden/paper/symbols.toml")).unwrap();
-        Sheet::read(include_str!("../../../golden/paper/equations.toml"), &symbols).unwrap()
-    }
 
     #[test]
     fn every_claim_of_the_paper_has_a_witness() {
-        let sheet = paper();
+        let sheet = claims::paper().unwrap();
         for (position, entry) in sheet.entries.iter().enumerate() {
             if entry.role != claims::Role::Claim {
                 continue;
@@ -926,7 +920,7 @@ mod tests {
 
     #[test]
     fn a_wrong_verdict_is_contradicted() {
-        let sheet = paper();
+        let sheet = claims::paper().unwrap();
         for (label, wrong) in [
             ("16", Verdict::Proved),
             ("22", Verdict::Proved),
@@ -945,7 +939,7 @@ mod tests {
         let labels: Vec<&str> = premises.iter().map(|(label, _)| *label).collect();
         text +=
             &format!("[[equation]]\nlabel = \"c\"\nrole = \"claim\"\ntex = '''{tex}'''\nfollows_from = {labels:?}\n");
-        let symbols = read_symbols(include_str!("../../../golden/paper/symbols.toml")).unwrap();
+        let symbols = claims::vocabulary().unwrap();
         let sheet = Sheet::read(&text, &symbols).unwrap();
         witness(&sheet, sheet.find("c").unwrap(), verdict, 6).unwrap()
     }

@@ -16,10 +16,10 @@ pub const EFFORT: u64 = 20_000_000;
 /// Nothing outside can make one:
 ///
 /// ```compile_fail,E0451
-/// let proved = crate::Proved { provided: Vec::new(), excluded: Vec::new() };
+/// let proved = kernel::Proved { provided: Vec::new(), excluded: Vec::new() };
 /// ```
 /// ```compile_fail,E0599
-/// let proved = crate::Proved::default();
+/// let proved = kernel::Proved::default();
 /// ```
 #[derive(Clone, Debug)]
 pub struct Proved {
@@ -44,10 +44,10 @@ impl Proved {
 /// Nothing outside can make one, nor change what is given:
 ///
 /// ```compile_fail,E0451
-/// let refuted = crate::Refuted { nowhere: false };
+/// let refuted = kernel::Refuted { nowhere: false };
 /// ```
 /// ```compile_fail,E0616
-/// let mut statement = crate::Statement::default();
+/// let mut statement = kernel::Statement::default();
 /// statement.givens.clear();
 /// ```
 #[derive(Clone, Debug)]
@@ -83,7 +83,7 @@ fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
 /// Nothing outside can make one:
 ///
 /// ```compile_fail,E0451
-/// let point = crate::Point { witness: todo!() };
+/// let point = kernel::Point { witness: todo!() };
 /// ```
 #[derive(Clone, Debug)]
 pub struct Point {

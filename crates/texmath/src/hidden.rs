@@ -62,8 +62,8 @@ const CLOSING: [&str; 9] = [
     "}", ")", "]", r"\}", r"\right", r"\rangle", r"\rfloor", r"\rceil", r"\rvert",
 ];
 
-/// What makes a formula one that is not parted into terms: brackets that open as they close, relations and arrows that are not
-/// read, environments.
+/// Signs of a formula that is not parted into terms: brackets that open as they close, relations and arrows that are not read,
+/// environments.
 const PARTING: [&str; 20] = [
     "|",
     r"\|",
@@ -87,20 +87,14 @@ const PARTING: [&str; 20] = [
     r"\cup",
 ];
 
-/// What has no value to be put out of sight: what is left out, orders, questions.
+/// Signs of a term without a value: dots, relations and questions.
 const NO_VALUES: [&str; 11] = [
     r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots", r"\hdots", r"\dotsc", r"\dotsb", r"\sim", "?", "…",
 ];
 
 /// The name of a term that is out of sight, as it prints.
 pub(super) fn name(text: &str, names: &Names) -> Option<Name> {
-    let mut depth = 0_usize;
-    let is_between_sides = |sign: &Sign<'_>| {
-        depth += usize::from(OPENING.contains(&sign.text));
-        depth = depth.saturating_sub(usize::from(CLOSING.contains(&sign.text)));
-        depth == 0 && (BETWEEN_SIDES.contains(&sign.text) || PARTING.contains(&sign.text))
-    };
-    let is_one = !signs(text).iter().any(is_between_sides);
+    let is_one = !outside(&signs(text)).any(|(_, sign)| BETWEEN_SIDES.contains(&sign) || PARTING.contains(&sign));
     (names.opaque.is_some() && is_one && has_value(text)).then(|| Name {
         base: opened(text).replace(OPAQUE, ""),
         ..Name::default()
@@ -134,6 +128,17 @@ fn signs(text: &str) -> Vec<Sign<'_>> {
         at = end;
     }
     found
+}
+
+/// The signs outside of brackets, with their numbers; a bracket that closes is one.
+fn outside<'a>(all: &'a [Sign<'a>]) -> impl Iterator<Item = (usize, &'a str)> {
+    let mut depth = 0_usize;
+    let signs = all.iter().map(|sign| sign.text).enumerate();
+    signs.filter(move |(_, sign)| {
+        depth += usize::from(OPENING.contains(sign));
+        depth = depth.saturating_sub(usize::from(CLOSING.contains(sign)));
+        depth == 0
+    })
 }
 
 /// The term around a byte of a formula; none where it is not clear where it begins and ends, or has no value.
@@ -212,14 +217,8 @@ fn term(text: &str, place: usize) -> Option<Range<usize>> {
 /// Returns true if a command that is not read stands between factors of a term, where it may print any sign, or begins it with an
 /// index, as a sum does.
 fn may_take_terms(term: &str) -> bool {
-    let mut depth = 0_usize;
     let all = signs(term);
-    all.iter().enumerate().any(|(number, sign)| {
-        depth += usize::from(OPENING.contains(&sign.text));
-        depth = depth.saturating_sub(usize::from(CLOSING.contains(&sign.text)));
-        if depth > 0 || !is_unread(sign.text) {
-            return false;
-        }
+    outside(&all).filter(|(_, sign)| is_unread(sign)).any(|(number, _)| {
         let next = all.get(number + 1).map_or("", |next| next.text);
         match number {
             0 => next == "_",

@@ -43,7 +43,7 @@ pub(super) fn parted(formulas: Vec<Formula>, text: &str) -> Vec<Formula> {
     let mut all: Vec<Formula> = Vec::with_capacity(formulas.len());
     // where each display begins in what is made
     let mut firsts: Vec<usize> = Vec::with_capacity(formulas.len());
-    // what is stated last
+    // the link that is stated last
     let mut last = String::new();
     for formula in formulas {
         firsts.push(all.len());
@@ -83,7 +83,7 @@ pub(super) fn parted(formulas: Vec<Formula>, text: &str) -> Vec<Formula> {
 /// A formula that is judged by itself.
 struct Part {
     range: Range<usize>,
-    /// What its arrow leads from, where that does not stand before it.
+    /// The formula that its arrow leads from, where that does not stand before it.
     given: Option<String>,
     is_link: bool,
 }
@@ -121,7 +121,7 @@ fn parts(tex: &str, last: &str) -> Vec<Part> {
     all
 }
 
-/// Where the arrow begins that leads to a statement.
+/// Finds the start of the arrow that leads to a statement.
 fn arrow_before(tex: &str, start: usize) -> Option<usize> {
     let before = tex.get(..start).unwrap_or_default();
     IMPLYING.iter().filter_map(|arrow| before.rfind(arrow)).max()

@@ -39,7 +39,7 @@ pub(super) fn unescaped(text: &str) -> Cow<'_, str> {
     Cow::Owned(written)
 }
 
-/// What prints of a formula in which a backslash escapes the next character of punctuation.
+/// Writes a formula as it prints in which a backslash escapes the next character of punctuation.
 fn printed(formula: &str) -> String {
     const ESCAPES: [(&str, &str); 5] = [
         (r"\\\\", r"  \\"),

@@ -40,7 +40,7 @@ impl Word {
         product
     }
 
-    /// How many of its factors are arrows.
+    /// Counts its factors under an arrow.
     fn vectors(&self) -> usize {
         let is_arrow = |factor: &str| [r"\vec", r"\overrightarrow"].iter().any(|arrow| factor.contains(arrow));
         self.others.iter().filter(|(factor, _)| is_arrow(factor)).count()
@@ -66,13 +66,13 @@ const TRANSPOSED: char = '\u{22a4}';
 /// A sum of words with their coefficients.
 type Words = BTreeMap<Word, Rational>;
 
-/// What is known of the letters of a document.
+/// The letters of a document: those that do not commute, and their values.
 pub(super) struct Letters<'a> {
     /// Those that do not commute.
     operators: &'a BTreeSet<Name>,
     /// Those that equations define, with their values.
     values: BTreeMap<&'a Name, &'a Tree>,
-    /// What is printed with an inverse of its own.
+    /// The factors that are printed with an inverse of their own.
     inverted: BTreeSet<String>,
 }
 
