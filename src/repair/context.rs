@@ -2,7 +2,7 @@
 
 use super::path::{parts, walk};
 use crate::claim::{Entry, Sheet};
-use crate::tex::{At, Equation, Name, Operation, Tree, index_of, subscript_of, with_symbol};
+use crate::tex::{At, Equation, Map, Name, Operation, Tree, any, index_of, subscript_of, with_symbol};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Entries on either side of the claim whose names are looked at beside those of its premises.
@@ -70,6 +70,7 @@ impl Context {
             }
         }
         context.take_values(sheet);
+        context.take_derivatives(sheet);
         context.take_partners(sheet);
         for (map, _) in sheet.symbols.maps() {
             if !context.maps.contains(map) {
@@ -79,34 +80,142 @@ impl Context {
         context
     }
 
-    /// Takes in the values of each function of time, and of its derivatives, at each time at which one of these is met.
+    /// Takes in the values of each function of time that is met, and of its derivatives, at each time that is met: by itself, as
+    /// an argument, or as that of a state at an impact; and what abbreviates the difference of two of these.
     fn take_values(&mut self, sheet: &Sheet) {
-        let functions: Vec<&Name> = sheet.symbols.functions().map(|(name, _)| name).collect();
-        let calls = self.atoms.iter().filter_map(|atom| match atom {
-            Tree::Call(name, argument, _) if functions.contains(&name) => Some((name.clone(), (**argument).clone())),
-            _ => None,
-        });
-        let (mut names, mut times) = (Vec::new(), Vec::new());
-        for (name, time) in calls {
-            let (is_new, is_other) = (!names.contains(&name), !times.contains(&time));
-            names.extend(is_new.then(|| name.clone()));
-            times.extend(is_other.then_some(time));
+        let symbols = &sheet.symbols;
+        let is_timed = |name: &Name| symbols.is_function(name) || symbols.is_state(&name.bare());
+        let (mut names, mut times): (Vec<Name>, Vec<Tree>) = (Vec::new(), Vec::new());
+        let mut add_time = |time: Tree| {
+            let is_new = !times.contains(&time);
+            times.extend(is_new.then_some(time));
+        };
+        for atom in &self.atoms {
+            match atom {
+                Tree::Call(name, time, _) if is_timed(name) => {
+                    let is_new = symbols.is_function(name) && !names.contains(name);
+                    names.extend(is_new.then(|| name.clone()));
+                    add_time((**time).clone());
+                }
+                Tree::Symbol(name, _) if symbols.is_time(&name.bare()) => add_time(atom.clone()),
+                Tree::Symbol(name, at) if symbols.is_state(&name.bare()) => {
+                    if let (Some(_), Some(family)) = (index_of(&name.subscript, &symbols.index), symbols.times().next())
+                    {
+                        let subscript = name.subscript.clone();
+                        let time = Name {
+                            subscript,
+                            ..family.bare()
+                        };
+                        add_time(Tree::Symbol(time, *at));
+                    }
+                }
+                _ => {}
+            }
+        }
+        for (name, derivative) in symbols.functions() {
+            let Some(Tree::Symbol(derivative, _)) = derivative else {
+                continue;
+            };
+            for (one, other) in [(name, derivative), (derivative, name)] {
+                if names.contains(one) && !names.contains(other) {
+                    names.push(other.clone());
+                }
+            }
+        }
+        // the values of states at the impacts that are met
+        let subscripts: BTreeSet<String> = times
+            .iter()
+            .filter_map(|time| match time {
+                Tree::Symbol(name, _) if index_of(&name.subscript, &symbols.index).is_some() => {
+                    Some(name.subscript.clone())
+                }
+                _ => None,
+            })
+            .collect();
+        let is_state = |atom: &&Tree| matches!(atom, Tree::Symbol(name, _) | Tree::Call(name, ..) if symbols.is_state(&name.bare()));
+        let states: BTreeSet<Name> = self
+            .atoms
+            .iter()
+            .filter(is_state)
+            .filter_map(|atom| match atom {
+                Tree::Symbol(name, _) | Tree::Call(name, ..) => Some(name.bare()),
+                _ => None,
+            })
+            .collect();
+        for (state, subscript) in states
+            .iter()
+            .flat_map(|state| subscripts.iter().map(move |subscript| (state, subscript)))
+        {
+            let subscript = subscript.clone();
+            self.take_atom(Tree::Symbol(
+                Name {
+                    subscript,
+                    ..state.clone()
+                },
+                At::default(),
+            ));
         }
         for name in &names {
             for time in &times {
                 self.take_atom(Tree::Call(name.clone(), Box::new(time.clone()), At::default()));
             }
         }
-        // what an elementary function of the time is then
-        let Some(running) = sheet.symbols.running() else {
+        for (name, length) in symbols.abbreviations() {
+            let is_met =
+                |tree: &Tree| times.contains(tree) || matches!(tree, Tree::Negate(inner) if times.contains(inner));
+            if parts(length).iter().all(is_met) {
+                self.take_atom(Tree::Symbol(name.clone(), At::default()));
+            }
+        }
+        // what an elementary function of the time is then, and what is longer and speaks of a function
+        let Some(running) = symbols.running() else {
             return;
         };
         for atom in self.atoms.clone() {
-            if matches!(atom, Tree::Call(ref name, ..) if !functions.contains(&name)) && atom.has_free(running) {
+            if matches!(atom, Tree::Call(ref name, ..) if !symbols.is_function(name)) && atom.has_free(running) {
                 for time in &times {
                     self.take_atom(with_symbol(&atom, running, time));
                 }
             }
+        }
+        for term in self.terms.clone() {
+            let speaks = any(
+                &term,
+                &mut |node| matches!(node, Tree::Call(name, ..) if symbols.is_function(name)),
+            );
+            if speaks && term.has_free(running) {
+                for time in &times {
+                    let then = with_symbol(&term, running, time);
+                    if !self.terms.contains(&then) {
+                        self.terms.push(then);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes in the derivatives that maps are made of, where the claim or a premise speaks of one.
+    fn take_derivatives(&mut self, sheet: &Sheet) {
+        if self.derivatives.is_empty() {
+            return;
+        }
+        for (_, map) in sheet.symbols.maps() {
+            let Map::Premises { of, by } = map else { continue };
+            for (of, by) in of.iter().flat_map(|of| by.iter().map(move |by| (of, by))) {
+                let (Tree::Symbol(of, _), Tree::Symbol(by, _)) = (of, by) else {
+                    continue;
+                };
+                self.take_derivative(of, by);
+                let (of, by, at) = (of.clone(), by.clone(), At::default());
+                self.take_atom(Tree::Partial { of, by, at });
+            }
+        }
+    }
+
+    fn take_derivative(&mut self, of: &Name, by: &Name) {
+        let pair = (of.clone(), by.clone());
+        if !self.derivatives.contains(&pair) {
+            self.derivatives.push(pair);
         }
     }
 
@@ -165,10 +274,7 @@ impl Context {
                 Tree::Symbol(name, _) => keep(&mut self.symbols, name),
                 Tree::Call(name, ..) => keep(&mut self.called, name),
                 Tree::Partial { of, by, .. } => {
-                    let pair = (of.clone(), by.clone());
-                    if !self.derivatives.contains(&pair) {
-                        self.derivatives.push(pair);
-                    }
+                    self.take_derivative(of, by);
                 }
                 Tree::Invariant { of, .. } => keep(&mut self.maps, of),
                 Tree::Operation(operation, _) => {

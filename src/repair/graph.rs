@@ -1,8 +1,9 @@
 //! The formulas of a claim as one graph, and what becomes of the two sides when single nodes take other values.
 
+use super::candidate::Formula;
 use super::path::{Path, parts};
 use crate::evidence::sampled::{Arithmetic, Leaves, Number, Op, SizedValue, Value, agree, real};
-use crate::tex::{Equation, Name, Tree};
+use crate::tex::{Name, Tree};
 use std::collections::HashMap;
 
 /// Steps of the secant method, and how near each other its last two must be.
@@ -58,14 +59,14 @@ pub struct Overlay {
 
 /// The formulas that a graph is made of, with the leaves and what all names mean.
 struct Source<'a> {
-    formulas: &'a [(Equation, Option<Name>)],
+    formulas: &'a [Formula],
     leaves: &'a Leaves,
     definitions: &'a HashMap<Name, Tree>,
 }
 
 impl Graph {
-    /// The graph of these formulas, each an equation and, where it is a definition, the name that it gives.
-    pub fn new(formulas: &[(Equation, Option<Name>)], leaves: &Leaves, definitions: &HashMap<Name, Tree>) -> Self {
+    /// The graph of these formulas; a side that two links of a chain share is there once.
+    pub fn new(formulas: &[Formula], leaves: &Leaves, definitions: &HashMap<Name, Tree>) -> Self {
         let mut graph = Self {
             arithmetic: (0..leaves.points).map(|point| leaves.arithmetic(point)).collect(),
             ..Self::default()
@@ -75,13 +76,17 @@ impl Graph {
             leaves,
             definitions,
         };
-        for (number, (equation, name)) in formulas.iter().enumerate() {
-            match name {
+        for (number, formula) in formulas.iter().enumerate() {
+            match &formula.name {
                 Some(name) => {
                     graph.define(name, &source, 0);
                 }
                 None => {
-                    let left = graph.add(&equation.left, None, (number, vec![0]), &source, 0);
+                    let equation = &formula.equation;
+                    let left = match graph.sides.last() {
+                        Some((before, [_, shared])) if formula.continues && before + 1 == number => *shared,
+                        _ => graph.add(&equation.left, None, (number, vec![0]), &source, 0),
+                    };
                     let right = graph.add(&equation.right, None, (number, vec![1]), &source, 0);
                     graph.sides.push((number, [left, right]));
                 }
@@ -113,12 +118,12 @@ impl Graph {
         let number = source
             .formulas
             .iter()
-            .position(|(_, given)| given.as_ref() == Some(name))?;
+            .position(|formula| formula.name.as_ref() == Some(name))?;
         if depth > DEEPEST {
             return None;
         }
-        let (equation, _) = source.formulas.get(number)?;
-        let root = self.add(&equation.right, None, (number, vec![1]), source, depth + 1);
+        let formula = source.formulas.get(number)?;
+        let root = self.add(&formula.equation.right, None, (number, vec![1]), source, depth + 1);
         self.definitions.insert(name.clone(), root);
         Some(root)
     }

@@ -24,9 +24,10 @@ pub use printed::{Reprinted, reprinted};
 use crate::claim::{Entry, Sheet};
 use crate::prove::Options;
 use crate::tex::{Equation, Tree, any};
+use candidate::Formula;
 use monomial::is_same_product;
 use printed::proved_as_printed;
-use search::{Formula, Found, Search};
+use search::{Found, Search};
 use std::fmt;
 
 /// The most repairs that are given.
@@ -77,16 +78,16 @@ pub struct Repair {
 }
 
 impl Repair {
-    /// Whether these formulas are the mended ones, factors in another order or grouping aside.
-    fn is_spelling_of(&self, formulas: &[Formula], mended: &[(usize, Equation)]) -> bool {
-        let is_same = |((part, one), (number, other)): (&(Part, Equation), &(usize, Equation))| {
-            formulas.get(*number).is_some_and(|formula| formula.part == *part)
+    /// Whether another repair mends the same formulas to the same, factors in another order or grouping aside.
+    fn is_spelling_of(&self, other: &Self) -> bool {
+        let is_same = |((part, one), (place, other)): (&(Part, Equation), &(Part, Equation))| {
+            part == place
                 && is_same_product(&one.left, &other.left)
                 && is_same_product(&one.right, &other.right)
                 // of what is so by making, nothing is told by that
                 && !is_same_product(&one.left, &one.right)
         };
-        self.mended.len() == mended.len() && self.mended.iter().zip(mended).all(is_same)
+        self.mended.len() == other.mended.len() && self.mended.iter().zip(&other.mended).all(is_same)
     }
 
     /// The changes of a claim, as "`a` should be `b`".
@@ -215,18 +216,17 @@ fn proved(
             break;
         }
         let mended = found.mended(&search.formulas);
-        let is_known = |known: &Repair| known.is_spelling_of(&search.formulas, &mended);
-        if repairs.iter().any(is_known) {
-            continue;
-        }
         let is_empty = |(number, equation): &(usize, Equation)| {
             says_nothing(equation, search.formulas.get(*number), found.may_balance())
         };
         if mended.iter().any(is_empty) {
             continue;
         }
-        *proofs += 1;
         let (balances, repair) = (found.may_balance(), found.repair(&search.formulas, mended));
+        if repairs.iter().any(|known| known.is_spelling_of(&repair)) {
+            continue;
+        }
+        *proofs += 1;
         let Some(formulas) = proved_as_printed(sheet, position, &repair.mended, balances, options) else {
             continue;
         };

@@ -1,6 +1,6 @@
 //! Edits of a claim after which its sides agree at points where the premises hold.
 
-use super::candidate::{Candidate, Valued};
+use super::candidate::{Candidate, Formula, Valued};
 use super::combine;
 use super::context::Context;
 use super::dictionary::{Dictionaries, Wanted, number_of};
@@ -10,9 +10,9 @@ use super::matrices;
 use super::path::{Path, node, replaced, size, walk};
 use super::points;
 use super::{Edit, Part, Repair, put};
-use crate::claim::{Sheet, Statements, Verdict};
+use crate::claim::{Sheet, Statements};
 use crate::evidence::sampled::{Leaves, Number, SizedValue, Value, agree};
-use crate::evidence::witness;
+use crate::evidence::trial;
 use crate::tex::{At, Equation, Name, Relation, Symbols, Tree, any_side};
 use std::collections::{HashMap, HashSet};
 
@@ -43,8 +43,10 @@ impl Stage {
 /// Points at which the sides are compared, and those without premises at which formulas are told apart.
 const POINTS: usize = 6;
 const FREE_POINTS: usize = 4;
-/// Edited claims that are evaluated each by itself, and nodes of these, for each unit of effort; and points for each.
+/// Edited claims that are evaluated each by itself, the operations on numbers of all of these, and their nodes, for each unit of
+/// effort; and points for each.
 const MOST_TRIALS: u64 = 1_500;
+const MOST_OPERATIONS: u64 = 1_000_000_000;
 const MOST_TRIED_NODES: u64 = 60_000;
 const TRIAL_POINTS: usize = 3;
 /// The most formulas that are put in the place of one node by their values.
@@ -62,29 +64,11 @@ const OF_SUBJECT: u32 = 4;
 /// By how much an edit counts as larger that makes a sum of a whole side.
 const OF_SIDE: u32 = 2;
 
+/// By how much an edit counts as larger that makes a power of a side for a power on the other.
+const OF_POWER: u32 = 4;
+
 /// By how much an edit counts as larger or smaller where the formula grows or shrinks by it.
 const MOST_GROWTH: i32 = 2;
-
-/// A formula of the claim that may be wrong.
-#[derive(Clone, Debug)]
-pub struct Formula {
-    pub part: Part,
-    pub equation: Equation,
-    /// The name that it defines.
-    pub name: Option<Name>,
-}
-
-impl Formula {
-    /// The number of nodes.
-    fn size(&self) -> u32 {
-        size(&self.equation.left) + size(&self.equation.right)
-    }
-
-    /// Whether a sum, an integral, a derivative or the like stands in it.
-    fn has_operation(&self) -> bool {
-        any_side(&self.equation, &mut |node| matches!(node, Tree::Operation(..)))
-    }
-}
 
 /// Edits after which the claim may be true.
 #[derive(Clone, Debug)]
@@ -127,10 +111,23 @@ impl Found {
                 };
             }
         }
+        // the link behind it shares the side
+        let shared = mended.iter().filter_map(|(number, equation)| {
+            let next = formulas.get(number + 1).filter(|next| next.continues)?;
+            Some((number + 1, equation.right.clone(), next.equation.clone()))
+        });
+        for (next, left, equation) in shared.collect::<Vec<_>>() {
+            match mended.iter_mut().find(|(number, _)| *number == next) {
+                Some((_, equation)) => equation.left = left,
+                None => mended.push((next, Equation { left, ..equation })),
+            }
+        }
         mended
     }
 
+    /// The repair that is told of what is mended: the formulas that are edited, without the links that share a side with them.
     pub fn repair(self, formulas: &[Formula], mended: Vec<(usize, Equation)>) -> Repair {
+        let edited: HashSet<usize> = self.edits.iter().map(|candidate| candidate.formula).collect();
         let part = |number: usize| formulas.get(number).map_or(Part::Stated(0), |formula| formula.part);
         let edits = self.edits.into_iter().map(|candidate| Edit {
             part: part(candidate.formula),
@@ -143,6 +140,7 @@ impl Found {
             formulas: Vec::new(),
             mended: mended
                 .into_iter()
+                .filter(|(number, _)| edited.contains(number))
                 .map(|(number, equation)| (part(number), equation))
                 .collect(),
             size: self.cost,
@@ -187,15 +185,21 @@ impl<'a> Search<'a> {
             Tree::Symbol(name, _) if equation.relation == Relation::Equal && given.contains(name) => Some(name.clone()),
             _ => None,
         };
+        let continues = |n: usize, own: &Equation| {
+            let before = n.checked_sub(1).and_then(|n| entry.equations.get(n));
+            before.is_some_and(|before| before.right == own.left && own.at.0 < before.end.0)
+        };
         let stated = entry.equations.iter().enumerate().map(|(n, equation)| Formula {
             part: Part::Stated(n),
             equation: equation.clone(),
             name: defines(equation),
+            continues: continues(n, equation),
         });
         let local = entry.local.iter().enumerate().map(|(n, (equation, _))| Formula {
             part: Part::Definition(n),
             equation: equation.clone(),
             name: defines(equation),
+            continues: false,
         });
         let local = local.filter(|formula| formula.name.is_some());
         let formulas: Vec<Formula> = stated.chain(local).collect();
@@ -291,6 +295,7 @@ impl<'a> Search<'a> {
                     // each name stands elsewhere
                     Some(Tree::Symbol(..)) if candidate.path.as_slice() == [0] => found.cost += OF_SUBJECT,
                     _ if self.makes_sum_of_side(candidate) => found.cost += OF_SIDE,
+                    _ if self.balances_a_power(candidate) => found.cost += OF_POWER,
                     // of its sign nothing is said elsewhere
                     Some(term) if self.is_printed(candidate, &term) => {}
                     Some(term) if self.context.said.contains(&term) => {
@@ -335,14 +340,8 @@ impl<'a> Search<'a> {
         };
         let before = node(printed, &candidate.path);
         [&printed.left, &printed.right].into_iter().any(|side| {
-            let count = |tree: &Tree| {
-                let mut count = 0;
-                walk(tree, None, &mut Vec::new(), &mut |node, _, _| {
-                    count += u32::from(node == side)
-                });
-                count
-            };
-            !matches!(side, Tree::Number(_)) && count(&candidate.edit.tree) > before.as_ref().map_or(0, count)
+            let own = before.as_ref().map_or(0, |before| count(before, side));
+            !matches!(side, Tree::Number(_)) && count(&candidate.edit.tree, side) > own
         })
     }
 
@@ -353,6 +352,24 @@ impl<'a> Search<'a> {
         candidate.path.len() == 1
             && matches!(candidate.edit.tree, Tree::Sum(_))
             && !matches!(side, Some(Tree::Sum(_) | Tree::Negate(_)))
+    }
+
+    /// Whether an edit of one side puts in the base of a power that is the other side, or squares the side: it balances an
+    /// exponent that is one too many there.
+    fn balances_a_power(&self, candidate: &Candidate) -> bool {
+        let Some(Formula { equation, .. }) = self.formulas.get(candidate.formula) else {
+            return false;
+        };
+        let Some(Tree::Power(base, ..)) = (match candidate.path.first() {
+            Some(0) => Some(&equation.right),
+            Some(1) => Some(&equation.left),
+            _ => None,
+        }) else {
+            return false;
+        };
+        let before = node(equation, &candidate.path);
+        let is_squared = candidate.path.len() == 1 && matches!(candidate.edit.tree, Tree::Power(..));
+        is_squared || count(&candidate.edit.tree, base) > before.map_or(0, |before| count(&before, base))
     }
 
     /// Whether this stands in the printed formula, but for a sign, where an edit is made.
@@ -445,6 +462,7 @@ impl<'a> Search<'a> {
     /// The edits after which the evidence speaks for the claim, each tried by itself.
     fn tried(&self) -> Vec<Found> {
         let mut copy = self.sheet.clone();
+        let mut budget = MOST_OPERATIONS * self.effort;
         let mut found = Vec::new();
         let mut all: Vec<&Candidate> = self.candidates.iter().chain(&self.additions).collect();
         all.sort_by_key(|candidate| candidate.edit.cost);
@@ -464,7 +482,10 @@ impl<'a> Search<'a> {
             if !is_read {
                 continue;
             }
-            let Ok(evidence) = witness(&copy, self.position, Verdict::Proved, TRIAL_POINTS) else {
+            if budget == 0 {
+                break;
+            }
+            let Ok(evidence) = trial(&copy, self.position, TRIAL_POINTS, &mut budget) else {
                 continue;
             };
             if evidence.points > 0 && evidence.against.is_none() {
@@ -473,6 +494,15 @@ impl<'a> Search<'a> {
         }
         found
     }
+}
+
+/// How often a part stands in a tree.
+fn count(tree: &Tree, part: &Tree) -> usize {
+    let mut count = 0;
+    walk(tree, None, &mut Vec::new(), &mut |node, _, _| {
+        count += usize::from(node == part)
+    });
+    count
 }
 
 /// The names in an equation.
@@ -572,13 +602,7 @@ fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
             path: Vec::new(),
             edit,
         }));
-        for (side, tree) in [&formula.equation.left, &formula.equation.right]
-            .into_iter()
-            .enumerate()
-        {
-            if side == 0 && formula.name.is_some() {
-                continue;
-            }
+        for (side, tree) in formula.sides() {
             walk(tree, None, &mut Vec::new(), &mut |node, above, path| {
                 let path: Path = std::iter::once(side).chain(path.iter().copied()).collect();
                 let digits = if has_operation {
@@ -640,11 +664,7 @@ fn additions(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     terms.extend(context.atoms.iter().map(square));
     let mut found = Vec::new();
     for (number, formula) in formulas.iter().enumerate() {
-        let sides = [&formula.equation.left, &formula.equation.right];
-        for (side, tree) in sides.into_iter().enumerate() {
-            if side == 0 && formula.name.is_some() {
-                continue;
-            }
+        for (side, tree) in formula.sides() {
             walk(tree, None, &mut Vec::new(), &mut |node, above, path| {
                 if !takes_terms(node, above) || matches!(node, Tree::Operation(..)) {
                     return;
@@ -703,11 +723,7 @@ impl Bench {
             definitions: &definitions,
         };
         let (leaves, free) = asked.drawn(&trees, POINTS, FREE_POINTS)?;
-        let list: Vec<(Equation, Option<Name>)> = formulas
-            .iter()
-            .map(|formula| (formula.equation.clone(), formula.name.clone()))
-            .collect();
-        let graph = Graph::new(&list, &leaves, &definitions);
+        let graph = Graph::new(formulas, &leaves, &definitions);
         let overlay = Overlay::default();
         let failing = graph.sides.iter().enumerate();
         let failing =
@@ -814,10 +830,8 @@ impl Bench {
     /// What a node must be multiplied by, or what must be added to it, looked up among what stands in the sheet; where
     /// `joined`, among the products and sums of two of these.
     fn missing(&self, context: &Context, joined: bool, overlay: &mut Overlay) -> Vec<Found> {
-        let [failing] = self.failing.as_slice() else {
-            return Vec::new();
-        };
-        let Some((_, sides)) = self.graph.sides.get(*failing) else {
+        let failing = self.failing.first().and_then(|failing| self.graph.sides.get(*failing));
+        let Some((_, sides)) = failing else {
             return Vec::new();
         };
         let dictionaries = Dictionaries::new(context, &self.leaves, &self.definitions);
@@ -844,7 +858,9 @@ impl Bench {
                     edit,
                 }]));
             };
-            if let Some(tree) = number_of(&wanted).filter(|_| is_number && !joined) {
+            let other_number = number_of(&wanted).filter(|_| is_number);
+            let is_replaced = other_number.is_some();
+            if let Some(tree) = other_number.filter(|_| !joined) {
                 let is_whole = |tree: &Tree| matches!(tree, Tree::Number(value) if value.0.denominator().is_one());
                 let cost = if is_whole(&tree) || !is_whole(&node.tree) {
                     11
@@ -858,6 +874,9 @@ impl Bench {
                     adds: false,
                     relation: None,
                 });
+            }
+            if is_replaced {
+                continue;
             }
             let factors = [
                 (wanted.map(|at, wanted| wanted / own(at)), true),

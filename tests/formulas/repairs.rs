@@ -56,6 +56,11 @@ fn misprints_of(name: &str, sheet: &Arc<Sheet>, position: usize, into: &mut Vec<
         .iter()
         .enumerate()
         .map(|(n, equation)| (Part::Stated(n), equation));
+    // the side that a link shares with the one before it is misprinted there
+    let shares = |part: Part| match part {
+        Part::Stated(n @ 1..) => entry.equations[n].at.0 < entry.equations[n - 1].end.0,
+        _ => false,
+    };
     let local = entry
         .local
         .iter()
@@ -64,6 +69,9 @@ fn misprints_of(name: &str, sheet: &Arc<Sheet>, position: usize, into: &mut Vec<
     for (part, right) in stated.chain(local) {
         let gives = matches!(&right.left, Tree::Symbol(name, _) if entry.gives().contains(name));
         for wrong in mutants::edited(right, !gives && entry.label != "19") {
+            if shares(part) && wrong.left != right.left {
+                continue;
+            }
             into.push(Misprint {
                 name: format!("{name} ({})", entry.label),
                 sheet: Arc::clone(sheet),

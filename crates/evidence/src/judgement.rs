@@ -81,8 +81,28 @@ pub fn witness_near(
         .entries
         .get(position)
         .is_some_and(|entry| entry.standing != Standing::Said);
-    let work = if is_guess { WORK_ON_A_GUESS } else { WORK };
-    Ok(of_claim(&statements, &sheet.symbols, verdict, points, &named, work))
+    let mut work = if is_guess { WORK_ON_A_GUESS } else { WORK };
+    Ok(of_claim(
+        &statements,
+        &sheet.symbols,
+        verdict,
+        points,
+        &named,
+        &mut work,
+    ))
+}
+
+/// The same for one of many claims that may hold, which share a budget of operations: what this one takes is taken off.
+///
+/// # Errors
+/// As of [`witness`].
+pub fn trial(sheet: &Sheet, position: usize, points: usize, budget: &mut u64) -> Result<Evidence, Fault> {
+    let statements = Statements::gather(sheet, position)?;
+    let share = WORK_ON_A_GUESS.min(*budget);
+    let mut left = share;
+    let evidence = of_claim(&statements, &sheet.symbols, Verdict::Proved, points, &[], &mut left);
+    *budget -= share - left;
+    Ok(evidence)
 }
 
 /// The value of a number as a counterexample prints it: a rational one, or one times pi.
@@ -105,13 +125,13 @@ fn of_claim(
     verdict: Verdict,
     points: usize,
     named: &[(&str, f64)],
-    work: u64,
+    work: &mut u64,
 ) -> Evidence {
     let mut system = match System::new(statements, symbols, Forcing::Any) {
         Ok(system) => system,
         Err(reason) => return without_points(no_witness(&reason)),
     };
-    system.work = Work::new(work);
+    system.work = Work::new(*work);
     let over = Witness {
         symbols,
         statements,
@@ -119,11 +139,12 @@ fn of_claim(
         verdict,
         named,
     };
-    if over.system.is_complex {
-        over.evidence::<Complexes>(points)
-    } else {
-        over.evidence::<Reals>(points)
-    }
+    let evidence = match over.system.is_complex {
+        true => over.evidence::<Complexes>(points),
+        false => over.evidence::<Reals>(points),
+    };
+    *work = over.system.work.left();
+    evidence
 }
 
 fn without_points(note: String) -> Evidence {

@@ -51,6 +51,6 @@ mod tolerance;
 mod value;
 
 pub use compiler::Unwitnessed;
-pub use judgement::{Evidence, witness, witness_near};
+pub use judgement::{Evidence, trial, witness, witness_near};
 pub use motion::Flown;
 pub use samples::{Samples, samples};

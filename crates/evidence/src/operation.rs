@@ -87,14 +87,9 @@ impl Compiler<'_> {
             }
             Operation::Binomial(of, chosen) => self.binomial(of, chosen),
             Operation::Cases(cases) => self.cases(cases),
-            Operation::Dot(left, right) => match (self.value(left)?, self.value(right)?) {
-                (Entries::Number(left), Entries::Number(right)) => Ok(self.formulas.multiply(left, right)),
-                (Entries::Matrix(left), Entries::Matrix(right)) if shape(&left) == shape(&right) => {
-                    let pairs = left.concat().into_iter().zip(right.concat());
-                    let products: Vec<Formula> = pairs.map(|(a, b)| self.formulas.multiply(a, b)).collect();
-                    Ok(self.formulas.sum(products))
-                }
-                _ => refused("a product of what has different shapes"),
+            Operation::Dot(left, right) => match self.dot(left, right)? {
+                Entries::Number(product) => Ok(product),
+                Entries::Matrix(_) => refused("a matrix stands where a number must"),
             },
             Operation::Cross(left, right) => match (self.value(left)?, self.value(right)?) {
                 (Entries::Number(left), Entries::Number(right)) => Ok(self.formulas.multiply(left, right)),
@@ -520,8 +515,21 @@ impl Compiler<'_> {
                 let row = |own: &mut Self, row: &Vec<Tree>| row.iter().map(|entry| each(own, entry)).collect();
                 Entries::Matrix(rows.iter().map(|entries| row(self, entries)).collect::<Found<_>>()?)
             }
+            Operation::Dot(left, right) => self.dot(left, right)?,
             operation => Entries::Number(self.operation(operation)?),
         })
+    }
+
+    /// The inner product of two vectors, or the product of what else has a dot between.
+    fn dot(&mut self, left: &Tree, right: &Tree) -> Found<Entries> {
+        match (self.value(left)?, self.value(right)?) {
+            (Entries::Matrix(left), Entries::Matrix(right)) if shape(&left) == shape(&right) && !is_square(&left) => {
+                let pairs = left.concat().into_iter().zip(right.concat());
+                let products: Vec<Formula> = pairs.map(|(a, b)| self.formulas.multiply(a, b)).collect();
+                Ok(Entries::Number(self.formulas.sum(products)))
+            }
+            (left, right) => self.multiplied(left, right),
+        }
     }
 
     /// The entries of a matrix that is written out.

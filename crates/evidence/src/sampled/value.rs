@@ -262,10 +262,12 @@ impl Arithmetic {
                 {
                     Value::Matrix(one.cross(&other))
                 }
-                (Op::Dot, Value::Matrix(one), Value::Matrix(other)) if one.shape() == other.shape() => {
+                (Op::Dot, Value::Matrix(one), Value::Matrix(other))
+                    if one.shape() == other.shape() && !one.is_square() =>
+                {
                     Value::Number(one.dot(&other))
                 }
-                (_, one @ Value::Number(_), other @ Value::Number(_)) => one.times(other),
+                (Op::Dot, one, other) | (_, one @ Value::Number(_), other @ Value::Number(_)) => one.times(other),
                 _ => Value::UNDEFINED,
             },
             Op::Binomial => match (part(0), part(1)) {
