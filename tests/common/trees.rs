@@ -20,7 +20,7 @@ pub fn name() -> impl Strategy<Value = Name> {
         word(&[
             "", "", "k", "k+1", "1", "B", "1,2", "in", "\\phi k", "k_1", "*", "\\lambda",
         ]),
-        word(&["", "", "", "-", "+", "*", "imp", "(1)", "T"]),
+        word(&["", "", "", "-", "+", "*", "imp", "(1)", "U"]),
         prop::sample::select(vec![0u8, 0, 0, 1, 2]),
     )
         .prop_map(|(base, accents, subscript, mark, primes)| Name {

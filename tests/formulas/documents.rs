@@ -1932,3 +1932,83 @@ fn a_root_file_that_includes_itself_many_times_is_read_once() {
     let ran = scratch.run(&["audit", "one.tex", "--format", "csv"]);
     assert!(ran.stdout.contains(",proved,"), "{}{}", ran.stdout, ran.stderr);
 }
+
+/// Matrices and vectors of which no entry is known, in documents without comments: what holds of all of them.
+const OF_MATRICES: [(&str, &str); 12] = [
+    (
+        r"Let $X$ be a matrix.",
+        r"(X^\top X + \mu I)^{-1} X^\top = X^\top (X X^\top + \mu I)^{-1} \[ I A = A \]",
+    ),
+    (
+        r"\[ \mathbf{y} = \mathbf{X} \boldsymbol\beta + \boldsymbol\epsilon \]",
+        r"(\mathbf{X}^\top \mathbf{X})^{-1} \mathbf{X}^\top \mathbf{y} = \boldsymbol\beta + (\mathbf{X}^\top \mathbf{X})^{-1} \mathbf{X}^\top \boldsymbol\epsilon",
+    ),
+    (r"\[ H = X (X^\top X)^{-1} X^\top \]", r"H H = H"),
+    (r"\[ H = X (X^\top X)^{-1} X^\top \]", r"H^\top = H"),
+    (r"\[ Q^\T Q = I \] \[ B = Q^\T A Q \]", r"B^\T = Q^\T A^\T Q"),
+    (r"Let $A$, $B$ be matrices.", r"(A + B)^2 = A^2 + A B + B A + B^2"),
+    (
+        r"Let $A$, $B$, $C$ be matrices.",
+        r"(A B C)^\mathrm{T} = C^\mathrm{T} B^\mathrm{T} A^\mathrm{T}",
+    ),
+    (r"\[ A = P D P^{-1} \]", r"A^3 = P D^3 P^{-1}"),
+    (
+        r"\[ K \mathbf{c} + P \mathbf{d} = \mathbf{f} \]",
+        r"\mathbf{c} = K^{-1} (\mathbf{f} - P \mathbf{d})",
+    ),
+    (
+        r"\[ \vec{u} = \vec{a} + \vec{b} \]",
+        r"\vec{u} \cdot \vec{u} = \vec{a} \cdot \vec{a} + 2 \vec{a} \cdot \vec{b} + \vec{b} \cdot \vec{b}",
+    ),
+    (
+        r"\[ \vec{u} = \vec{a} + k \vec{b} \]",
+        r"\vec{u} \times \vec{b} = \vec{a} \times \vec{b}",
+    ),
+    (r"Let $A$ and $B$ be operators.", r"A B - B A + B A = A B"),
+];
+
+#[test]
+fn what_holds_of_matrices_without_entries_is_proved_in_a_document_without_comments() {
+    for (before, claim) in OF_MATRICES {
+        let (claim, behind) = claim
+            .split_once(r" \[ ")
+            .map_or((claim, String::new()), |(claim, behind)| {
+                (claim, format!(r"\[ {behind}"))
+            });
+        let text = format!("{before} {behind}\n\\[ {claim} \\]\n");
+        let found = decisions(&document(&text, &[]));
+        let last = found.last().unwrap();
+        assert_eq!(last.verdict, Verdict::Proved, "{text}: {}", last.reason);
+    }
+}
+
+#[test]
+fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
+    for (before, claim) in [
+        ("Let $A$ and $B$ be matrices.", r"(A + B)^2 = A^2 + 2 A B + B^2"),
+        ("Let $A$ and $B$ be matrices.", r"(A B)^\top = A^\top B^\top"),
+        ("Let $A$ and $B$ be matrices.", r"(A B)^{-1} = A^{-1} B^{-1}"),
+        (r"\[ A = P D P^{-1} \]", "A = D"),
+        (r"\[ A B = I \] \[ C C^{-1} = I \]", "B A = I"),
+        (r"\[ H = X (X^\top X)^{-1} X^\top \]", "H = I"),
+        (
+            r"\[ K \mathbf{c} + P \mathbf{d} = \mathbf{f} \]",
+            r"\mathbf{c} = (\mathbf{f} - P \mathbf{d}) K^{-1}",
+        ),
+        (
+            r"\[ \vec{u} = \vec{a} + \vec{b} \]",
+            r"\vec{u} \times \vec{b} = \vec{b} \times \vec{a}",
+        ),
+        (
+            r"\[ \vec{u} = \vec{a} + \vec{b} \]",
+            r"(\vec{u} \cdot \vec{a}) \vec{b} = \vec{u} (\vec{a} \cdot \vec{b})",
+        ),
+        (r"\[ \vec{a} \cdot \vec{b} = k \]", r"\vec{a} = \frac{k}{\vec{b}}"),
+        (r"\[ x^\top A x = 1 \]", r"A x x^\top = 1"),
+    ] {
+        let text = format!("{before}\n\\[ {claim} \\]\n");
+        let found = decisions(&document(&text, &[]));
+        let last = found.last().unwrap();
+        assert_ne!(last.verdict, Verdict::Proved, "{text}: {}", last.reason);
+    }
+}

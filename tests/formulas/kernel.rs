@@ -85,8 +85,8 @@ const MAKERS: [(&str, &str, &str); 6] = [
         "the kind of what was found, which is compared with a verdict",
     ),
     (
-        "src/repair/search.rs",
-        "tried",
+        "crates/evidence/src/judgement.rs",
+        "trial",
         "the verdict that evidence is looked for against",
     ),
 ];

@@ -12,7 +12,7 @@ use super::kinds::{List, is_complex_in, listed_with, lists_of};
 use super::size::{Budget, Sizes};
 use super::verdict::Verdict;
 use serde::Deserialize;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use texmath::{
     At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, flies,
     holds_indefinite, index_of, is_constant, nearest, number_of, read, read_conditions, rewrite, speaks_of, tree_runs,
@@ -77,6 +77,10 @@ pub struct Entry {
     pub(super) of_some: Vec<Name>,
     /// The places of what was read of it that have more than one meaning.
     pub(super) doubts: Vec<Doubt>,
+    /// Letters of it and of what it follows from that need not commute.
+    pub operators: BTreeSet<String>,
+    /// Those of them that are 1.
+    pub identities: BTreeSet<String>,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
     /// The equations of which it says or assumes that one holds.
@@ -138,6 +142,15 @@ pub(super) struct RawEntry {
     /// What the notation leaves open, a question each: with one of them nothing is proved either.
     #[serde(default)]
     pub doubts: Vec<String>,
+    /// Letters of it and of what it follows from that need not commute.
+    #[serde(default)]
+    pub operators: Vec<String>,
+    /// Those of them that are 1.
+    #[serde(default)]
+    pub identities: Vec<String>,
+    /// What is doubted of a proof for real numbers, as it speaks of more, a question each.
+    #[serde(default)]
+    pub marked: Vec<String>,
     /// A reason why the entry is not read, beyond its formulas.
     pub unread: Option<String>,
     /// Which way of `A \Leftrightarrow B` the entry is.
@@ -1142,14 +1155,18 @@ pub(super) fn read_entry(
             .chain(beside)
             .chain(conditions),
     );
-    doubts.extend(raw.doubts.iter().map(|open| Doubt {
-        kind: DoubtKind::Open(open.clone()),
+    let open = raw.doubts.iter().cloned().map(DoubtKind::Open);
+    let marked = raw.marked.iter().cloned().map(DoubtKind::Marked);
+    doubts.extend(open.chain(marked).map(|kind| Doubt {
+        kind,
         at: At::default(),
     }));
     Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
         doubts,
+        operators: raw.operators.iter().cloned().collect(),
+        identities: raw.identities.iter().cloned().collect(),
         equations,
         local,
         with,

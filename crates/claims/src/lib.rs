@@ -31,6 +31,7 @@ mod size;
 mod spelling;
 mod symbols;
 mod verdict;
+mod words;
 
 pub use definition::Local;
 pub use document::{Document, Include, Markup, PrintedNumber};
@@ -43,3 +44,4 @@ pub use reduce::{
 };
 pub use sheet::{Sheet, read_symbols};
 pub use verdict::Verdict;
+pub use words::{Letter, Word, WordQuestion, Words};

@@ -6,10 +6,12 @@ use super::fault::{Fault, Source};
 use super::reduce::{Rule, Rules};
 use super::sheet::{RENAME, Sheet};
 use super::size::{Budget, Sizes, TooLarge};
+use num_traits::One;
+use numbers::Rational;
 use std::collections::BTreeSet;
 use texmath::{
     At, Condition, Equation, Map, Name, Symbols, Tree, any, any_side, flies, index_of, rewrite_alone,
-    rewrite_condition, runs, speaks_of, tree_runs,
+    rewrite_condition, rewrite_equation, runs, speaks_of, tree_runs,
 };
 
 /// One equation that is taken as true.
@@ -62,7 +64,7 @@ pub struct Statements {
 
 impl Premise {
     /// What is true whatever the sheet says.
-    pub(super) fn known(label: &str, equation: Equation) -> Self {
+    pub fn known(label: &str, equation: Equation) -> Self {
         Self {
             label: label.to_string(),
             source: Source::unplaced(equation.to_string()),
@@ -189,10 +191,34 @@ impl Statements {
         found.claims.clone_from(&claim.stated);
         found.assume = claim.assume.iter().map(|(condition, _)| condition.clone()).collect();
         found.substitute(claim, &sheet.symbols)?;
+        found.put_in_identities(&claim.identities);
         for law in &sheet.symbols.laws {
             found.premises.push(Premise::known(&law.to_string(), law.clone()));
         }
         Ok(found.with_overview(&sheet.symbols))
+    }
+
+    /// Puts 1 in the place of the letters that are the identity.
+    fn put_in_identities(&mut self, identities: &BTreeSet<String>) {
+        if identities.is_empty() {
+            return;
+        }
+        let one = |name: &Name| {
+            identities
+                .contains(&name.to_string())
+                .then(|| Tree::Number(Rational::one()))
+        };
+        let new = |equation: &Equation| rewrite_equation(equation, &one);
+        self.claims.iter_mut().for_each(|claim| *claim = new(claim));
+        self.premises
+            .iter_mut()
+            .for_each(|premise| *premise = premise.rewritten(&new));
+        self.locals
+            .iter_mut()
+            .for_each(|local| local.tree = rewrite_alone(&local.tree, &new));
+        self.assume
+            .iter_mut()
+            .for_each(|condition| *condition = rewrite_condition(condition, &new));
     }
 
     /// The label of a premise.

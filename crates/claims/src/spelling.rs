@@ -40,7 +40,8 @@ pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry]
         let is_it = |name: &Name| name.base == letter && name.subscript.is_empty() && name.accents == accents;
         symbols.parameters().any(is_it)
     };
-    for (raw, entry) in raw.iter().zip(entries) {
+    // where letters are known to be vectors, it is decided of them
+    for (raw, entry) in raw.iter().zip(entries).filter(|(_, entry)| entry.operators.is_empty()) {
         for tex in raw.formulas() {
             let has_arrows = tex.contains(r"\vec");
             let bold = |(letter, printed): (String, String)| {

@@ -91,11 +91,10 @@ impl Compiler<'_> {
                 Entries::Number(product) => Ok(product),
                 Entries::Matrix(_) => refused("a matrix stands where a number must"),
             },
-            Operation::Cross(left, right) => match (self.value(left)?, self.value(right)?) {
-                (Entries::Number(left), Entries::Number(right)) => Ok(self.formulas.multiply(left, right)),
-                _ => refused("a matrix stands where a number must"),
-            },
-            Operation::Matrix(_) | Operation::Transpose(_) => refused("a matrix stands where a number must"),
+            Operation::Cross(..) => refused("a cross product of letters without entries"),
+            // a number is its own transpose
+            Operation::Transpose(of) => self.tree(of),
+            Operation::Matrix(_) => refused("a matrix stands where a number must"),
             Operation::Integral { of, by, limits: None } if self.is_up_to => {
                 let (letter, body) = self.with_letter(by, false, |own| own.tree(of))?;
                 let low = self.formulas.float(super::claimed::ANYWHERE);
@@ -503,8 +502,7 @@ impl Compiler<'_> {
                     let entries = [[b, z, c, y], [c, x, a, z], [a, y, b, x]].map(|four| vec![entry(self, four)]);
                     Entries::Matrix(entries.to_vec())
                 }
-                (Entries::Number(left), Entries::Number(right)) => Entries::Number(self.formulas.multiply(left, right)),
-                _ => return refused("a product of a vector and a number"),
+                _ => return refused("a cross product of what has no three entries"),
             },
             Operation::Derivative { of, by, order, at } => {
                 let Some(rows) = self.entries_of(of)? else {

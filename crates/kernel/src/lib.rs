@@ -31,6 +31,7 @@ mod statement;
 mod term;
 mod verdict;
 mod witness;
+mod words;
 
 pub use build::{Question, Unreadable, questions};
 pub use certificate::{Axiom, Certificate, Inference, LawSource, Summand};
@@ -46,3 +47,4 @@ pub use verdict::{
     EFFORT, Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
 };
 pub use witness::{At, Witness};
+pub use words::{WordMultiple, WordProof, WordSource, prove_in_words};

@@ -28,6 +28,14 @@ pub struct Proved {
 }
 
 impl Proved {
+    /// What is accepted of letters that need not commute, which provides nothing and excludes nothing.
+    pub(super) fn of_words() -> Self {
+        Self {
+            provided: Vec::new(),
+            excluded: Vec::new(),
+        }
+    }
+
     /// What the proof excludes: derivatives along maps that must exist.
     pub fn provided(&self) -> &[String] {
         &self.provided

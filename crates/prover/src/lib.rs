@@ -39,6 +39,7 @@ mod script;
 mod session;
 mod signs;
 mod values;
+mod words;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
@@ -46,7 +47,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Reduced, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains, values,
+    Fault, Goal, Reduced, Rule, Sheet, Standing, Verdict, WordQuestion, other_ways, reduced, reduced_by_cases,
+    thin_domains, values,
 };
 use texmath::{DoubtKind, Equation, Name, Tree, any_side};
 
@@ -156,8 +158,16 @@ impl<'a> Search<'a> {
 
     /// Decides a claim, and in its other readings too, where these are known: what is so in all of them stands.
     fn decide_readings(&mut self, sheet: &Sheet, position: usize) -> Decision {
-        let decision = self.decide(sheet, position);
         let mut doubts = sheet.doubts(position);
+        // what holds of letters that need not commute holds of numbers too
+        let mut decision = match doubts.iter().any(|kind| matches!(kind, DoubtKind::Marked(_))) {
+            true => self.in_words(sheet, position),
+            false => None,
+        };
+        if decision.is_some() {
+            doubts.retain(|kind| !matches!(kind, DoubtKind::Marked(_)));
+        }
+        let decision = decision.take().unwrap_or_else(|| self.decide(sheet, position));
         let is_open = match decision.verdict {
             Verdict::Refuted => true,
             Verdict::Proved => !doubts.iter().all(DoubtKind::spares_proofs),
@@ -183,6 +193,21 @@ impl<'a> Search<'a> {
             doubts.retain(|kind| !matches!(kind, DoubtKind::OfSome(name) if !is_named(name)));
         }
         decision.on_doubts(doubts)
+    }
+
+    /// Decides a claim as one about letters that need not commute; nothing where it is not proved so.
+    fn in_words(&mut self, sheet: &Sheet, position: usize) -> Option<Decision> {
+        let entry = sheet.entries.get(position)?;
+        let statements = Decision::without_search(sheet, position).ok()?;
+        let question = WordQuestion::of(&statements, &entry.operators)?;
+        let found = words::proof(&question)?;
+        let proved = kernel::prove_in_words(&question, &found).ok()?;
+        let mut decision = self.start.clone();
+        decision.reason.clone_from(&self.reason);
+        decision.accept_proofs(&[proved]);
+        decision.rules.extend(statements.rules);
+        decision.rules.insert(Rule::Words);
+        Some(decision)
     }
 
     fn decide(&mut self, sheet: &Sheet, position: usize) -> Decision {

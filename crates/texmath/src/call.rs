@@ -95,7 +95,9 @@ impl<'a> Reader<'a> {
             return Ok(part);
         }
         let is_plain = power.is_none();
-        if is_plain && self.single_term_in_brackets_follows() {
+        let factors = self.names.opaque.as_ref().map(|opaque| &opaque.factors);
+        let is_factor = factors.is_some_and(|factors| factors.contains(&name.base)) && self.letters_in_brackets() > 1;
+        if is_plain && !is_factor && self.single_term_in_brackets_follows() {
             let found = format!("`{name}` before a single term in brackets");
             let instead = "a product needs none; declare what is a function";
             return Err(Fault::ambiguous(at, &found, instead));
@@ -105,6 +107,12 @@ impl<'a> Reader<'a> {
             true => self.in_degrees(symbol),
             false => Ok(symbol),
         }
+    }
+
+    /// The number of letters that stand next in a bracket, before anything else: 2 in `(B K)`.
+    fn letters_in_brackets(&self) -> usize {
+        let is_letter = |ahead: &usize| self.look(*ahead).is_some_and(|token| token.kind == Kind::Letter);
+        (1..).take_while(is_letter).count()
     }
 
     /// Whether `(x)`, `(0)` or `(-2 t)` stands next.

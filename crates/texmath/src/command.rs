@@ -96,6 +96,7 @@ const LETTERS: &[&str] = &[
     "\\imath",
     "\\jmath",
     "\\top",
+    "\\dagger",
 ];
 
 /// Commands of LaTeX and amsmath that are no terms and are not read: relations, arrows, dots, operators between terms and with their
@@ -250,6 +251,11 @@ fn structure(text: &str) -> Option<Command> {
         "\\widetilde" => Command::Spelled(Kind::Accent, "\\tilde"),
         "\\varepsilon" => Command::Spelled(Kind::Letter, "\\epsilon"),
         "\\varphi" => Command::Spelled(Kind::Letter, "\\phi"),
+        // of packages and macros that are often not at hand
+        "\\T" | "\\Tsp" | "\\tran" | "\\trans" | "\\transp" | "\\transpose" | "\\intercal" => {
+            Command::Spelled(Kind::Letter, "\\top")
+        }
+        "\\dag" => Command::Spelled(Kind::Letter, "\\dagger"),
         "\\det" | "\\Det" => Command::Token(Kind::Invariant(Invariant::Determinant)),
         "\\Tr" | "\\tr" => Command::Token(Kind::Invariant(Invariant::Trace)),
         _ => return None,

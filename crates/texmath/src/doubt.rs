@@ -47,8 +47,10 @@ pub enum DoubtKind {
     Factor { factor: String, premise: String },
     /// What was guessed of a formula that nothing is said of.
     Guess(String),
-    /// What a document leaves open: letters that it marks as more than real numbers, a letter before a bracket.
+    /// What a document leaves open, as a letter before a bracket.
     Open(String),
+    /// That letters are marked as more than real numbers.
+    Marked(String),
 }
 
 /// A reading of a place other than the one taken.
@@ -80,7 +82,7 @@ impl DoubtKind {
             Self::DerivativeOfValue { readings, .. } | Self::DerivativeBeforeBracket { readings, .. } => {
                 !readings.is_empty()
             }
-            Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) => false,
+            Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) | Self::Marked(_) => false,
             _ => true,
         }
     }
@@ -148,7 +150,7 @@ impl fmt::Display for DoubtKind {
                 f,
                 "({premise}) can be solved where `{factor}` is not 0: 0 too, or divided by?"
             ),
-            Self::Guess(what) | Self::Open(what) => write!(f, "{what}"),
+            Self::Guess(what) | Self::Open(what) | Self::Marked(what) => write!(f, "{what}"),
         }
     }
 }

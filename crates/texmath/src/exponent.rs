@@ -3,7 +3,7 @@
 use super::error::Fault;
 use super::reader::Reader;
 use super::token::{Kind, Token};
-use super::{At, Name, Tree};
+use super::{At, Name, Operation, Tree};
 use num_traits::Zero;
 use numbers::{Field, Rational};
 
@@ -58,7 +58,17 @@ impl Exponent {
     pub(super) fn of(self, tree: Box<Tree>) -> Tree {
         let at = At(self.at);
         match self.value {
-            Value::Real(exponent) => Tree::RealPower(tree, exponent, at),
+            Value::Real(exponent) if is_transpose(&exponent) => {
+                Tree::Operation(Box::new(Operation::Transpose(*tree)), at)
+            }
+            Value::Real(exponent) => match *exponent {
+                // A^{-\top}
+                Tree::Negate(sign) if is_transpose(&sign) => {
+                    let inverse = Tree::Power(tree, -1, at);
+                    Tree::Operation(Box::new(Operation::Transpose(inverse)), at)
+                }
+                exponent => Tree::RealPower(tree, Box::new(exponent), at),
+            },
             Value::Half(twice) if twice % 2 == 0 => Tree::Power(tree, twice / 2, at),
             Value::Half(1) => Tree::Root(tree, 2, at),
             Value::Half(twice) => {
@@ -135,4 +145,8 @@ fn doubled(above: &Rational, below: &Rational) -> Option<Option<i32>> {
     let twice = above.clone() / half;
     let small = |twice: &Rational| i32::try_from(twice.to_integer()?).ok();
     twice.0.is_int().then(|| small(&twice))
+}
+/// Returns true for the sign of a transpose, which is no number.
+fn is_transpose(exponent: &Tree) -> bool {
+    matches!(exponent, Tree::Symbol(name, _) if *name == Name::plain("\\top"))
 }

@@ -6,6 +6,7 @@
 
 use super::command::{holds_unknown, invariant, is_letter as is_letter_command};
 use super::elementary::Elementary;
+use super::names::BOLD;
 use super::{Name, Names};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -994,9 +995,6 @@ const ENDS: [&str; 22] = [
     r"\end",
     r"\coloneqq",
 ];
-
-/// Commands of letters in bold.
-pub const BOLD: [&str; 3] = [r"\mathbf", r"\bm", r"\boldsymbol"];
 
 /// Second shapes of letters, which are letters of their own where an author prints both.
 const VARIANTS: [&str; 2] = [r"\varepsilon", r"\varphi"];

@@ -264,6 +264,10 @@ impl<'a> Lexer<'a> {
     }
 
     fn push_as(&mut self, kind: Kind, text: &'a str, at: usize, end: usize) -> Result<(), Fault> {
+        let (kind, text, is_sign) = match self.sign_of_transpose(kind, text) {
+            Some(sign) => (Kind::Letter, sign, true),
+            None => (kind, text, false),
+        };
         let kind = match (kind, self.side.take()) {
             (Kind::Bar, Some(Side::Opening)) => Kind::Open(Bracket::Bar),
             (Kind::Bar, Some(Side::Closing)) => Kind::Close(Bracket::Bar),
@@ -284,14 +288,14 @@ impl<'a> Lexer<'a> {
         if kind == Kind::Letter {
             let shape = shape(self.span(at, end)).unwrap_or(text);
             // upright d, e, i and T are what they are in italics: a differential, constants, a transpose
-            let font = match self.styled && !matches!(text, "d" | "e" | "i" | "T") {
-                _ if at < self.bold => r"\mathbf",
+            let font = match self.styled && !is_sign && !matches!(text, "d" | "e" | "i" | "T") {
+                _ if at < self.bold && !is_sign => r"\mathbf",
                 true => r"\mathrm",
                 false => "",
             };
             self.letters.push((text, shape, font));
         }
-        let styled = self.styled && kind == Kind::Letter;
+        let styled = self.styled && kind == Kind::Letter && !is_sign;
         self.styled &= kind == Kind::BraceOpen;
         let spaced = std::mem::take(&mut self.blank) > 0;
         self.tokens.push(Token {
@@ -305,6 +309,21 @@ impl<'a> Lexer<'a> {
         });
         self.at = end;
         Ok(())
+    }
+
+    /// The sign of a transpose or an adjoint that an upright letter above is: `A^\mathrm{T}`, `A^\text{H}`.
+    fn sign_of_transpose(&self, kind: Kind, text: &str) -> Option<&'static str> {
+        let is_upright = kind == Kind::Word || (kind == Kind::Letter && self.styled);
+        let is_raised = || {
+            let mut before = self.tokens.iter().rev().map(|token| token.kind);
+            before.find(|kind| *kind != Kind::BraceOpen) == Some(Kind::Sup)
+        };
+        let sign = match text {
+            "T" => r"\top",
+            "H" => r"\dagger",
+            _ => return None,
+        };
+        (is_upright && is_raised()).then_some(sign)
     }
 
     /// Whether a brace that closes now holds wide blanks alone, which are taken away with the brace that opens.

@@ -38,6 +38,9 @@ pub struct Opaque {
     pub values: BTreeSet<String>,
 }
 
+/// Commands of letters in bold.
+pub const BOLD: [&str; 3] = [r"\mathbf", r"\bm", r"\boldsymbol"];
+
 impl Names {
     /// Whether `name`, whatever its mark and primes, was declared a function.
     pub fn is_function(&self, name: &Name) -> bool {

@@ -2,6 +2,7 @@
 
 use super::error::Fault;
 use super::lexer::NO_BRACKET;
+use super::names::BOLD;
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Rows, Token};
@@ -1136,7 +1137,9 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
 /// Whether this is plainly no number: a matrix, a cross product, a name with an arrow.
 fn is_vector(tree: &Tree) -> bool {
     match tree {
-        Tree::Symbol(name, _) => name.accents.iter().any(|accent| accent == "\\vec"),
+        Tree::Symbol(name, _) => {
+            name.accents.iter().any(|accent| accent == "\\vec") || BOLD.iter().any(|bold| name.base.starts_with(bold))
+        }
         Tree::Operation(operation, _) => matches!(
             **operation,
             Operation::Matrix(_) | Operation::Cross(..) | Operation::Transpose(_)

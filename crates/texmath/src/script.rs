@@ -376,6 +376,15 @@ mod tests {
             ("(Z_k^-)^2", "(^ Z_k^- 2)"),
             ("2^3", "(^ 2 3)"),
         ]);
+        for tex in [
+            r"A^\mathrm{T}",
+            r"A^{\mathsf T}",
+            r"A^\text{T}",
+            r"A^\top",
+            r"A^\intercal",
+        ] {
+            check(&[(tex, r"[(A)^{\top}]")]);
+        }
         check(&[
             ("x^{1/3}", "(^^ x (/ 1 3))"),
             (r"x^{-\frac13}", "(^^ x (- (/ 1 3)))"),
@@ -410,8 +419,8 @@ mod tests {
                 r"column 3: this superscript can be read as x^{\text{ab}} or as x^{a b}",
             ),
             ("x_k^{eta}", r"x_k^{\text{eta}} or as x_k^{+eta}"),
-            (r"A^\mathrm{T}", r"A^{\text{T}} or as A^{T}"),
-            (r"A^{\rm T}", r"A^{\text{T}} or as A^{T}"),
+            (r"A^\mathrm{B}", r"A^{\text{B}} or as A^{B}"),
+            (r"A^{\rm B}", r"A^{\text{B}} or as A^{B}"),
             ("x^{(n)}", "a superscript in brackets"),
             ("x^{(n+1)}", "a superscript in brackets"),
             ("x^{1/2a}", r"\frac{1}{2} a or as \frac{1}{2 a}"),
@@ -493,7 +502,7 @@ mod tests {
             (r"H_k^{\ast}", "H_k^*"),
             ("U_k^{imp}", r"U_k^{\text{imp}}"),
             (r"U_k^{\mathrm{imp}}", r"U_k^{\text{imp}}"),
-            (r"U^{\text{T}}", r"U^{\text{T}}"),
+            (r"U^{\text{B}}", r"U^{\text{B}}"),
             ("U^{(1)}", "U^{(1)}"),
             ("F_1'(t)", "<F_1' t>"),
             (r"F_1^{\prime}(t)", "<F_1' t>"),

@@ -58,7 +58,14 @@ fn of_entry(entry: &RawEntry) -> String {
     if !standing.is_empty() {
         let _ = writeln!(text, "standing = \"{standing}\"");
     }
-    for (key, list) in [("guessed", &entry.guessed), ("doubts", &entry.doubts)] {
+    let lists = [
+        ("guessed", &entry.guessed),
+        ("doubts", &entry.doubts),
+        ("operators", &entry.operators),
+        ("identities", &entry.identities),
+        ("marked", &entry.marked),
+    ];
+    for (key, list) in lists {
         if !list.is_empty() {
             let items: Vec<String> = list.iter().map(|item| format!("\n  {},", word(item))).collect();
             let _ = writeln!(text, "{key} = [{}\n]", items.concat());

@@ -7,16 +7,16 @@ use super::super::implication;
 use super::super::sheet::{RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::factors::Factors;
-use super::marks::{Marks, OF_COMPLEX, Stated};
+use super::marks::{Marked, Marks, OF_COMPLEX, Stated};
 use super::members::Members;
 use super::outline::Outline;
 use super::scan::Formula;
-use super::words::Letters;
+use crate::words::{Reader, is_sign_of_transpose, transposed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use texmath::{
-    Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
-    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_constant, is_opaque, names_in, pair_of,
-    read_display, read_name, with_commands,
+    BOLD, Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
+    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_constant, is_opaque, letters, names_in,
+    pair_of, read_display, read_name, with_commands,
 };
 use toml::Spanned;
 
@@ -166,7 +166,8 @@ fn acts_on_a_letter(node: &Tree) -> bool {
 /// Whether a Greek letter stands above another: mostly an index.
 fn has_index_above(node: &Tree) -> bool {
     let is_greek = |part: &Tree| matches!(part, Tree::Symbol(name, _) if name.base.starts_with('\\'));
-    matches!(node, Tree::RealPower(of, exponent, _) if is_greek(of) && is_greek(exponent))
+    matches!(node, Tree::RealPower(of, exponent, _)
+        if is_greek(of) && is_greek(exponent) && !is_sign_of_transpose(of, exponent))
 }
 
 /// Whether `e` and `i` are the numbers, by what a document prints: a letter that is never used so may be anything.
@@ -278,6 +279,10 @@ fn multiplies_operators(node: &Tree) -> bool {
     let hats: BTreeSet<&Name> = factors.iter().filter_map(letter_of).filter(has_hat).collect();
     hats.len() > 1
 }
+
+/// Questions that a proof in letters that keep their places settles.
+const MAY_CHANGE_PLACES: &str = "may factors change places?";
+const MAY_BE_OPERATORS: &str = "operators, or numbers?";
 
 /// Returns the question that is open for all that rests on these equations.
 fn question_below(equations: &[Equation]) -> Option<&'static str> {
@@ -445,9 +450,14 @@ impl Guess {
         names.defined.sort();
         let mut given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
         let (mut values, mut rounds) = (BTreeSet::new(), MOST_ROUNDS);
+        let mut factors: BTreeSet<String> = symbols.parameters().map(|name| name.base.clone()).collect();
+        let shown = formulas
+            .iter()
+            .map(|formula| plain(formula.tex.as_deref().unwrap_or_default()));
+        let called: BTreeSet<String> = shown.flat_map(|shown| called_with_a_letter(&shown)).collect();
         let (read, opaque) = loop {
             let opaque = (!is_strict).then(|| RawOpaque {
-                factors: symbols.parameters().map(|name| name.base.clone()).collect(),
+                factors: factors.clone(),
                 functions: given_functions.iter().map(ToString::to_string).collect(),
                 values: values.clone(),
             });
@@ -455,10 +465,13 @@ impl Guess {
             let read: Vec<Vec<Equation>> = formulas.iter().map(|formula| stated(formula, &names)).collect();
             let hidden = hidden_functions(read.iter().flatten(), &given_functions);
             let defined = values_given(read.iter().flatten());
-            if hidden.is_empty() && (rounds == 0 || defined.is_subset(&values)) {
+            let are_known = matrices_in(read.iter().flatten()).is_subset(&factors.union(&called).cloned().collect());
+            if hidden.is_empty() && (rounds == 0 || (are_known && defined.is_subset(&values))) {
                 break (read, opaque);
             }
             values.extend(defined);
+            let new = matrices_in(read.iter().flatten());
+            factors.extend(new.into_iter().filter(|letter| !called.contains(letter)));
             given_functions.retain(|name| rounds > 0 && !hidden.contains(name));
             names.defined.retain(|name| given_functions.contains(name));
             rounds = rounds.saturating_sub(1);
@@ -603,15 +616,13 @@ impl Guess {
             let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
             below.extend(again.filter(|own| *own != label).cloned());
             below.extend(self.premises.iter().cloned());
-            let is_plain = self.conflict(at).is_none()
-                && !self.open.contains_key(label)
-                && loose.is_none()
-                && !names.iter().any(|name| self.marks.has(name));
+            let is_plain = self.conflict(at).is_none() && !self.open.contains_key(label) && loose.is_none();
+            let is_marked = names.iter().any(|name| self.marks.has(name));
             if !may_be_law && let [equation] = equations.as_slice() {
                 below.extend(self.premises_of(equation));
             }
-            // what is derived may be wrong: only what is said is a premise
-            if is_plain && (may_be_law || (is_link && self.may_be_law(&equations, &names))) {
+            // what is derived may be wrong: only what is said is a premise, or an equation of matrices, which nobody rounds
+            if is_plain && (may_be_law || (is_link && self.may_be_law(&equations, &names)) || (is_marked && !is_link)) {
                 self.state(label, &equations, is_link);
             }
         }
@@ -860,7 +871,21 @@ impl Guess {
         if shown.contains(r"\ast") {
             return Some("a convolution, or a product?");
         }
-        if has(&["|", "vert"]) && shown.contains(r"\cdot") || crosses_letters(&shown) {
+        let signs = |signs: &[&str]| signs.iter().map(|sign| shown.matches(sign).count()).sum::<usize>();
+        let read = |is_one: fn(&Operation) -> bool| {
+            let mut count = 0;
+            for equation in self.read.get(at).into_iter().flatten() {
+                any_side(equation, &mut |node| {
+                    count += usize::from(matches!(node, Tree::Operation(operation, _) if is_one(operation)));
+                    false
+                });
+            }
+            count
+        };
+        // read as one of vectors it is decided as such
+        let are_dots = signs(&[r"\cdot"]) <= read(|operation| matches!(operation, Operation::Dot(..)));
+        let are_crosses = signs(&[r"\times", "×"]) <= read(|operation| matches!(operation, Operation::Cross(..)));
+        if (has(&["|", "vert"]) && !are_dots) || (crosses_letters(&shown) && !are_crosses) {
             return Some("a product of vectors, or of numbers?");
         }
         if has(&[r"\|", r"\Vert", r"\lVert"]) {
@@ -875,11 +900,11 @@ impl Guess {
             {
                 Some("what depends on what?")
             } else if only_reorders(equation) {
-                Some("may factors change places?")
+                Some(MAY_CHANGE_PLACES)
             } else if is_some(&mut |node| acts_on_a_letter(node)) {
                 Some("a difference, a variation or an operator, or a factor?")
             } else if is_some(&mut |node| multiplies_operators(node)) {
-                Some("operators, or numbers?")
+                Some(MAY_BE_OPERATORS)
             } else if is_some(&mut |node| has_index_above(node)) {
                 Some("an index, or an exponent?")
             } else if is_some(&mut |node| self.constants.is_doubtful(node)) {
@@ -895,7 +920,7 @@ impl Guess {
     }
 
     /// Returns the assumptions that the notation of a claim makes, a clause each; `below` lists the formulas that each follows from.
-    pub fn doubts(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> Vec<String> {
+    pub fn doubts(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> (Vec<String>, Marked) {
         let equations = |label: &str| {
             self.numbers
                 .get(label)
@@ -904,9 +929,7 @@ impl Guess {
                 .flatten()
         };
         let label = claim.label.get_ref();
-        // laws speak of no marked letters
-        let mut labels = labels_below(label, below);
-        labels.retain(|label| !self.is_stated(label));
+        let labels = labels_below(label, below);
         let is_restricted = labels.iter().any(|label| self.premises.contains(label))
             || !claim.assume.is_empty()
             || !claim.with.is_empty()
@@ -920,23 +943,41 @@ impl Guess {
             true => self.undeclared.contains_key(name),
             false => !self.definitions.contains_key(name),
         };
-        let mut doubts = self.marks.doubts(&stated, &is_free);
+        let mut marked = self.marks.marked(&stated, &is_free);
+        let mut doubts = Vec::new();
         let again: BTreeSet<&String> = self.again.values().flatten().collect();
         let (rivals, others): (Vec<&String>, Vec<&String>) =
             labels.iter().copied().partition(|own| again.contains(own));
         let others: Vec<&Equation> = others.iter().flat_map(|own| equations(own)).collect();
-        let none = BTreeSet::new();
-        let letters = Letters::new(&none).with_values(&others);
+        let none = |_: &Name| false;
+        let mut reader = Reader::new(&none);
+        for equation in &others {
+            if let (Tree::Symbol(name, _), Relation::Equal) = (&equation.left, equation.relation) {
+                reader.give(name, &equation.right);
+            }
+        }
         let rival = rivals
             .into_iter()
-            .find(|own| !equations(own).all(|equation| letters.has_identity(equation)));
+            .find(|own| !equations(own).all(|equation| reader.has_identity(equation)));
         doubts.extend(rival.map(|own| format!("({own}) may give its letter a new meaning")));
         if !self.has_symbols {
             let own = labels.iter().map(|label| label.as_str()).chain([label.as_str()]);
             let open = own
                 .filter_map(|label| self.open.get(label))
                 .map(|open| (*open).to_owned());
-            doubts.extend(open.collect::<BTreeSet<String>>());
+            let (orders, others): (BTreeSet<String>, BTreeSet<String>) =
+                open.partition(|open| [MAY_CHANGE_PLACES, MAY_BE_OPERATORS].contains(&open.as_str()));
+            doubts.extend(others);
+            // any letter may be one that keeps its place
+            if !orders.is_empty() {
+                let mut all = BTreeSet::new();
+                for equation in stated.own.iter().chain(&stated.below) {
+                    names_in(&equation.left, &mut all);
+                    names_in(&equation.right, &mut all);
+                }
+                marked.operators = all.iter().map(ToString::to_string).collect();
+                marked.doubts.extend(orders);
+            }
         }
         for argument in stated
             .own
@@ -948,7 +989,7 @@ impl Guess {
                 doubts.push(argument);
             }
         }
-        doubts
+        (doubts, marked)
     }
 
     /// Returns true if a pair such as `h_{1,2}` is of a letter that is a function, or that functions run over.
@@ -1360,6 +1401,58 @@ fn plain(tex: &str) -> String {
     tex.replace(r"\left", "")
         .replace(r"\right", "")
         .split_whitespace()
+        .collect()
+}
+
+/// The capital letters that are transposed or inverted, or stand beside what is, or beside a letter in bold: `P \bm{d}`, `x^\top P`.
+fn matrices_in<'e>(equations: impl Iterator<Item = &'e Equation> + Clone) -> BTreeSet<String> {
+    let is_capital = |base: &&String| base.len() == 1 && base.chars().all(|c| c.is_ascii_uppercase());
+    let base = |tree: &Tree| letter_of(tree).map(|name| name.base.clone());
+    let is_bold = |tree: &Tree| base(tree).is_some_and(|base| BOLD.iter().any(|bold| base.starts_with(bold)));
+    let mut found: BTreeSet<String> = BTreeSet::new();
+    let each = |test: &mut dyn FnMut(&Tree)| {
+        for equation in equations.clone() {
+            any_side(equation, &mut |node| {
+                test(node);
+                false
+            });
+        }
+    };
+    each(&mut |node| match node {
+        node if transposed(node).is_some() => found.extend(transposed(node).and_then(base)),
+        Tree::Product(factors) => {
+            let inverses = factors.iter().filter(|factor| matches!(factor, Tree::Power(_, -1, _)));
+            found.extend(inverses.filter_map(base).filter(|base| is_capital(&base)));
+        }
+        _ => {}
+    });
+    let beside = found.clone();
+    let is_marked = |tree: &Tree| is_bold(tree) || base(tree).is_some_and(|base| beside.contains(&base));
+    each(&mut |node| {
+        if let Tree::Product(factors) = node {
+            for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
+                found.extend(base(first).filter(|_| is_marked(last)));
+                found.extend(base(last).filter(|_| is_marked(first)));
+            }
+        }
+    });
+    found.retain(|base| is_capital(&base));
+    found
+}
+
+/// The letters that stand before a bracket with one letter, a number or a list in it, as functions do: `P(x)`, `P(0)`, `P(x, y)`.
+fn called_with_a_letter(shown: &str) -> Vec<String> {
+    let is_argument = |inside: &str| {
+        let printed = letters(inside, &Names::default()).len();
+        inside.contains(',') || (printed <= 1 && !inside.contains(['+', '-', '^', '(']))
+    };
+    shown
+        .match_indices('(')
+        .filter(|(at, _)| {
+            let inside = shown.get(at + 1..).and_then(|rest| rest.split(')').next());
+            inside.is_some_and(is_argument)
+        })
+        .filter_map(|(at, _)| letter_before(shown.get(..at)?).map(str::to_owned))
         .collect()
 }
 

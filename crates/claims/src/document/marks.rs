@@ -1,11 +1,11 @@
 //! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
 
 use super::members::{Members, contains_unit, j_is_unit};
-use super::words::{Letters, is_sign_of_transpose};
+use crate::words::{Reader, transposed};
 use std::collections::BTreeSet;
 use texmath::{
     BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, holds_unknown, is_constant,
-    letters, names_in,
+    letters, names_in, speaks_of,
 };
 
 /// The letters that a document marks.
@@ -14,6 +14,8 @@ pub(super) struct Marks {
     /// Letters whose factors may not change places.
     operators: BTreeSet<Name>,
     complex: BTreeSet<Name>,
+    /// Operators that are 1.
+    identities: BTreeSet<Name>,
     /// Letters that are divided by, as nobody divides by matrices.
     numbers: BTreeSet<Name>,
 }
@@ -37,10 +39,8 @@ impl Factors {
             Tree::Product(factors) => {
                 let plain = |factor: &Tree| letter_of_power(factor).filter(|name| is_capital(name)).cloned();
                 let is_of_matrices = |factor: &Tree| match factor {
-                    Tree::Operation(operation, _) => {
-                        matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_))
-                    }
-                    Tree::RealPower(of, exponent, _) => is_sign_of_transpose(of, exponent),
+                    Tree::Operation(operation, _) if matches!(**operation, Operation::Matrix(_)) => true,
+                    factor if transposed(factor).is_some() => true,
                     factor => letter_of_power(factor).is_some_and(|name| {
                         is_typographic(name)
                             || matrices.contains(&name.base)
@@ -84,6 +84,12 @@ fn is_capital(name: &Name) -> bool {
     name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase())
 }
 
+/// Returns true for `\lambda`, without accents.
+fn is_small_greek(name: &Name) -> bool {
+    let is_small = name.base.chars().nth(1).is_some_and(|c| c.is_ascii_lowercase());
+    name.accents.is_empty() && name.base.starts_with('\\') && is_small && is_letter(name)
+}
+
 /// Returns true for a letter in bold or script, and for a term that an operator begins.
 fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
@@ -99,6 +105,17 @@ fn is_set_apart(name: &Name) -> bool {
 /// Returns true for a letter in bold, script, with an arrow or a hat.
 fn is_typographic(name: &Name) -> bool {
     is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &[r"\hat", r"\widehat"])
+}
+
+/// What a claim speaks of that its document marks as more than real numbers.
+#[derive(Default)]
+pub(super) struct Marked {
+    /// The letters that need not commute; none where it is the same for the claim.
+    pub operators: Vec<String>,
+    /// Those of them that are 1.
+    pub identities: Vec<String>,
+    /// What is doubted of a proof for real numbers, a question each.
+    pub doubts: Vec<String>,
 }
 
 /// The equations of a claim and of everything that it follows from.
@@ -169,8 +186,8 @@ fn reordered(equation: &Equation) -> Vec<Vec<Tree>> {
         let others = all.iter().skip(place + 1).filter(|other| is_reordered(one, other));
         found.extend(others.map(|_| one.to_vec()));
     }
-    let none = BTreeSet::new();
-    let holds = || Letters::new(&none).has_identity(equation);
+    let none = |_: &Name| false;
+    let holds = || Reader::new(&none).has_identity(equation);
     match found.is_empty() || equation.relation != Relation::Equal || holds() {
         true => Vec::new(),
         false => found,
@@ -254,6 +271,15 @@ impl Marks {
             .filter(|name| !is_typographic(name))
             .collect();
         marks.operators.retain(|name| !marks.numbers.contains(name));
+        let identities = equations.iter().filter_map(|equation| identity_in(equation));
+        marks.identities = identities.cloned().collect();
+        for equation in &equations {
+            let is_identity = |side: &Tree| matches!(side, Tree::Symbol(name, _) if marks.identities.contains(name));
+            if [&equation.left, &equation.right].into_iter().any(is_identity) {
+                marks.mark_operators(&equation.left);
+                marks.mark_operators(&equation.right);
+            }
+        }
         let is_unit = |name: &Name| unit_is_number && is_constant(name) && name.base == "i";
         // forwards and backwards, as equations refer to those before and behind
         let mut is_forward = true;
@@ -302,6 +328,7 @@ impl Marks {
             .operators
             .retain(|name| !is_constant(name) && !marks.numbers.contains(name));
         marks.complex.retain(|name| !is_constant(name));
+        marks.identities.retain(|name| marks.operators.contains(name));
         marks
     }
 
@@ -327,10 +354,10 @@ impl Marks {
                 }
                 self.complex.insert(plain);
             }
-            Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => self.mark_operators(of),
+            node if transposed(node).is_some() => transposed(node).into_iter().for_each(|of| self.mark_operators(of)),
             Tree::Product(factors) => {
                 // beside w^T stands a vector or a matrix
-                let is_transposed = |factor: &Tree| matches!(factor, Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent));
+                let is_transposed = |factor: &Tree| transposed(factor).is_some();
                 for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
                     if is_transposed(first) {
                         self.mark_operators(last);
@@ -358,7 +385,7 @@ impl Marks {
                 }
             }
             Tree::Operation(operation, _) => match &**operation {
-                Operation::Transpose(of) | Operation::Determinant(of) | Operation::Trace(of) => {
+                Operation::Determinant(of) | Operation::Trace(of) => {
                     self.mark_operators(of);
                 }
                 Operation::Cross(left, right) => {
@@ -426,7 +453,17 @@ impl Marks {
             Tree::Symbol(name, _) | Tree::Call(name, ..) => {
                 self.operators.insert(name.clone());
             }
-            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().for_each(|part| self.mark_operators(part)),
+            Tree::Sum(parts) => parts.iter().for_each(|part| self.mark_operators(part)),
+            Tree::Product(parts) => {
+                // \mu A: a Greek letter in front of a matrix is a number, one behind it a vector
+                let is_number = |part: &&Tree| letter_of_power(part).is_some_and(is_small_greek);
+                let is_matrix =
+                    |part: &Tree| letter_of_power(part).is_none_or(|name| is_capital(name) || is_typographic(name));
+                let numbers = parts.iter().take_while(is_number).count();
+                let are_numbers = parts.iter().skip(numbers).any(is_matrix);
+                let behind = parts.iter().skip(if are_numbers { numbers } else { 0 });
+                behind.for_each(|part| self.mark_operators(part));
+            }
             Tree::Negate(of) | Tree::Power(of, ..) => self.mark_operators(of),
             _ => {}
         }
@@ -470,13 +507,14 @@ impl Marks {
                 let vectors = parts.iter().filter(is_vector).count();
                 vectors % 2 == 1 || parts.iter().any(|part| !is_vector(&part) && self.is_operator(part))
             }
-            Tree::Operation(operation, _) => matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_)),
+            tree if transposed(tree).is_some() => true,
+            Tree::Operation(operation, _) => matches!(**operation, Operation::Matrix(_)),
             _ => false,
         }
     }
 
-    /// The doubts about a claim, a clause each; `is_free` says that no definition gives a letter.
-    pub fn doubts(&self, stated: &Stated<'_>, is_free: &dyn Fn(&Name) -> bool) -> Vec<String> {
+    /// What a claim speaks of that is marked; `is_free` says that no definition gives a letter.
+    pub fn marked(&self, stated: &Stated<'_>, is_free: &dyn Fn(&Name) -> bool) -> Marked {
         let all = || stated.own.iter().chain(&stated.below);
         let found = |marked: &BTreeSet<Name>| -> Vec<String> {
             let mut found = BTreeSet::new();
@@ -503,14 +541,6 @@ impl Marks {
                 || all().any(|equation| needs_reals(&equation.left) || needs_reals(&equation.right))
         };
         let operators = found(&self.operators);
-        // what holds by addition and multiplication alone holds of all of them
-        let letters = Letters::new(&self.operators).with_values(&stated.below);
-        let is_said = |equation: &&Equation| {
-            letters.has_identity(equation) || stated.below.iter().any(|given| letters.are_one(equation, given))
-        };
-        if !stated.own.is_empty() && stated.own.iter().all(is_said) {
-            return Vec::new();
-        }
         let mut doubts = Vec::new();
         let may_depend = operators.len() > 1;
         if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
@@ -526,7 +556,37 @@ impl Marks {
                 complex.join(", ")
             ));
         }
-        doubts
+        let all_of = |marked: &BTreeSet<Name>| -> Vec<String> {
+            let is_spoken_of = |name: &&Name| {
+                all().any(|equation| speaks_of(&equation.left, name) || speaks_of(&equation.right, name))
+            };
+            marked.iter().filter(is_spoken_of).map(ToString::to_string).collect()
+        };
+        if doubts.is_empty() {
+            return Marked::default();
+        }
+        // a capital letter beside one that need not commute may be a matrix, but where it is divided by
+        let mut operators = self.operators.clone();
+        for side in all().flat_map(|equation| [&equation.left, &equation.right]) {
+            any(side, &mut |node| {
+                if let Tree::Product(factors) = node
+                    && factors.iter().any(|factor| self.is_operator(factor))
+                {
+                    let letters = factors.iter().filter_map(letter_of_power);
+                    operators.extend(
+                        letters
+                            .filter(|name| is_capital(name) && !self.numbers.contains(name))
+                            .cloned(),
+                    );
+                }
+                false
+            });
+        }
+        Marked {
+            operators: all_of(&operators),
+            identities: all_of(&self.identities),
+            doubts,
+        }
     }
 }
 
@@ -562,6 +622,34 @@ fn holds(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
 
 fn has_accent(name: &Name, accents: &[&str]) -> bool {
     name.accents.iter().any(|accent| accents.contains(&accent.as_str()))
+}
+
+/// Returns the letter that an equation says is 1: `A A^{-1} = I`, `Q^T Q = I`, `A I = A`.
+fn identity_in(equation: &Equation) -> Option<&Name> {
+    let is_named = |name: &Name| {
+        matches!(
+            name.base.as_str(),
+            "I" | r"\mathbf{I}" | r"\mathbb{I}" | r"\mathbb{1}" | r"\bm{I}" | r"\boldsymbol{I}" | r"\mathrm{I}"
+        )
+    };
+    let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+    sides.into_iter().find_map(|(side, other)| match (side, other) {
+        (Tree::Symbol(name, _), Tree::Product(factors)) if is_named(name) => match factors.as_slice() {
+            [first, last] if are_inverse(first, last) || are_transposes(first, last) => Some(name),
+            _ => None,
+        },
+        (one, Tree::Product(factors)) => match factors.as_slice() {
+            [Tree::Symbol(name, _), last] if is_named(name) && one == last => Some(name),
+            [first, Tree::Symbol(name, _)] if is_named(name) && one == first => Some(name),
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+/// Returns true if one factor is the transpose of the other.
+fn are_transposes(first: &Tree, last: &Tree) -> bool {
+    transposed(first) == Some(last) || transposed(last) == Some(first)
 }
 
 /// Returns true if one factor is the inverse of the other, to the same power.

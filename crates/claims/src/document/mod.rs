@@ -14,7 +14,6 @@ mod outline;
 mod rows;
 mod scan;
 mod tex;
-mod words;
 
 use super::entry::{RawEntry, Role, Standing};
 use super::fault::{Fault, File, Source, Text};
@@ -554,6 +553,9 @@ fn entries(
             guessed: guessed.guessed,
             standing,
             doubts: Vec::new(),
+            operators: Vec::new(),
+            identities: Vec::new(),
+            marked: Vec::new(),
             unread,
             way: None,
         });
@@ -575,7 +577,9 @@ fn entries(
         .collect();
     for entry in raw.equation.iter_mut().filter(|entry| entry.role == Role::Claim) {
         entry.guessed.extend(guess.beneath(entry.label.get_ref(), &below));
-        entry.doubts.extend(guess.doubts(entry, &below));
+        let (doubts, marked) = guess.doubts(entry, &below);
+        entry.doubts = doubts;
+        (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
     }
     if let Some(symbols) = guess.raw_symbols() {
         raw.symbols = Some(Spanned::new(0..0, symbols));

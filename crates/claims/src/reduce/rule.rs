@@ -64,6 +64,8 @@ pub enum Rule {
     InequalityDerivatives,
     /// A root or the value of an inverse function by the equation and the range that define it.
     InverseRange,
+    /// Letters that need not commute, as matrices, by words.
+    Words,
 }
 
 impl Rule {
@@ -124,6 +126,7 @@ impl fmt::Display for Rule {
             Self::CauchySchwarz => "modulus: Cauchy-Schwarz",
             Self::InequalityDerivatives => "inequality: signs of derivatives",
             Self::InverseRange => "inverse: range",
+            Self::Words => "matrices: words",
         })
     }
 }

@@ -1,0 +1,549 @@
+//! Formulas in letters that need not commute, as of matrices, vectors and operators: sums of words.
+
+use super::premise::Statements;
+use num_traits::{One, Zero};
+use numbers::Rational;
+use std::collections::{BTreeMap, BTreeSet};
+use texmath::{Equation, Name, Operation, Relation, Tree, any, base_alone, names_in};
+
+/// The most terms of a sum of words, and the highest power that is multiplied out.
+const MOST_TERMS: usize = 2_000;
+const HIGHEST_POWER: i32 = 12;
+
+/// Values within values beyond which nothing is put in.
+const DEEPEST: usize = 20;
+
+/// Accents of vectors.
+const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
+
+/// A factor that keeps its place.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Letter {
+    pub name: String,
+    pub is_transposed: bool,
+}
+
+/// A product: its commuting factors with their powers, and the others in their order.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Word {
+    pub scalars: BTreeMap<String, i32>,
+    pub letters: Vec<Letter>,
+}
+
+impl Word {
+    /// Returns the product of two words.
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = self.clone();
+        for (factor, power) in &other.scalars {
+            *product.scalars.entry(factor.clone()).or_default() += power;
+        }
+        product.scalars.retain(|_, power| *power != 0);
+        product.letters.extend(other.letters.iter().cloned());
+        product
+    }
+
+    /// Returns the word whose factors, each transposed, stand in the other order.
+    fn transposed(&self) -> Self {
+        let letter = |letter: &Letter| Letter {
+            name: letter.name.clone(),
+            is_transposed: !letter.is_transposed,
+        };
+        Self {
+            scalars: self.scalars.clone(),
+            letters: self.letters.iter().rev().map(letter).collect(),
+        }
+    }
+
+    /// Counts its factors under an arrow: a product of these is a number, and not associative.
+    pub fn vectors(&self) -> usize {
+        let is_arrow = |letter: &&Letter| ARROWS.iter().any(|arrow| letter.name.contains(arrow));
+        self.letters.iter().filter(is_arrow).count()
+    }
+}
+
+/// A sum of words with their coefficients, none of which is 0.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Words(BTreeMap<Word, Rational>);
+
+impl Words {
+    /// Makes a number of one word.
+    pub fn of(word: Word, coefficient: Rational) -> Self {
+        let mut words = Self::default();
+        words.add(word, coefficient);
+        words
+    }
+
+    fn constant(value: Rational) -> Self {
+        Self::of(Word::default(), value)
+    }
+
+    /// Iterates over the words with their coefficients.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Word, &Rational)> + Clone {
+        self.0.iter()
+    }
+
+    /// Returns true if this is 0 in every ring.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Adds a multiple of a word.
+    pub fn add(&mut self, word: Word, coefficient: Rational) {
+        let total = match self.0.remove(&word) {
+            Some(known) => known + coefficient,
+            None => coefficient,
+        };
+        if !total.is_zero() {
+            self.0.insert(word, total);
+        }
+    }
+
+    /// Adds the product of a number, a word in front, another sum, and a word behind.
+    pub fn add_between(&mut self, coefficient: &Rational, front: &Word, words: &Self, behind: &Word) {
+        for (word, own) in &words.0 {
+            self.add(front.times(word).times(behind), own.clone() * coefficient.clone());
+        }
+    }
+
+    /// Returns the sum of each word transposed.
+    pub fn transposed(&self) -> Self {
+        let mut words = Self::default();
+        for (word, coefficient) in &self.0 {
+            words.add(word.transposed(), coefficient.clone());
+        }
+        words
+    }
+
+    fn negated(&self) -> Self {
+        let mut words = Self::default();
+        words.add_between(&-Rational::one(), &Word::default(), self, &Word::default());
+        words
+    }
+
+    fn plus(mut self, other: &Self) -> Self {
+        self.add_between(&Rational::one(), &Word::default(), other, &Word::default());
+        self
+    }
+
+    /// Multiplies out; `None` where it is too large, or where three vectors meet: (b c) d of vectors is not b (c d).
+    fn times(&self, other: &Self) -> Option<Self> {
+        let vectors = |words: &Self| words.0.keys().map(Word::vectors).max().unwrap_or_default();
+        if self.0.len().saturating_mul(other.0.len()) > MOST_TERMS || vectors(self) + vectors(other) > 2 {
+            return None;
+        }
+        let mut product = Self::default();
+        for (word, coefficient) in &self.0 {
+            product.add_between(coefficient, word, other, &Word::default());
+        }
+        Some(product)
+    }
+
+    /// The only term.
+    fn only(&self) -> Option<(&Word, &Rational)> {
+        let mut terms = self.0.iter();
+        let only = terms.next()?;
+        terms.next().is_none().then_some(only)
+    }
+}
+
+/// What a claim says of letters that need not commute: sums of words that vanish where those that are given do.
+#[derive(Clone, Debug, Default)]
+pub struct WordQuestion {
+    pub claims: Vec<Words>,
+    /// What premises say, and that each inverse is one.
+    pub givens: Vec<Words>,
+}
+
+impl WordQuestion {
+    /// Reads claim and premises; `None` where they say more than that equations hold, or cannot be written in words.
+    pub fn of(statements: &Statements, operators: &BTreeSet<String>) -> Option<Self> {
+        let is_operator = |name: &Name| operators.contains(&name.to_string());
+        let mut reader = Reader::new(&is_operator);
+        for local in &statements.locals {
+            reader.give(&local.name, &local.tree);
+        }
+        let mut premises = Vec::new();
+        for premise in &statements.premises {
+            let is_plain = premise.assume.is_empty() && premise.equation.relation == Relation::Equal;
+            match &premise.equation.left {
+                _ if !is_plain => {}
+                Tree::Symbol(name, _) if reader.give(name, &premise.equation.right) => {}
+                _ => premises.push(&premise.equation),
+            }
+        }
+        let is_equation = |equation: &&Equation| equation.relation == Relation::Equal;
+        let claims = statements.claims.iter();
+        let claims: Option<Vec<Words>> = claims
+            .map(|claim| {
+                Some(claim)
+                    .filter(is_equation)
+                    .and_then(|claim| reader.difference(claim))
+            })
+            .collect();
+        let claims = claims.filter(|claims| !claims.is_empty())?;
+        // what cannot be written in words is not used
+        let mut givens: Vec<Words> = premises
+            .into_iter()
+            .filter_map(|premise| reader.difference(premise))
+            .collect();
+        givens.extend(reader.inverses());
+        Some(Self { claims, givens })
+    }
+}
+
+/// Writes trees as sums of words.
+pub(super) struct Reader<'a> {
+    /// The letters that need not commute.
+    is_operator: &'a dyn Fn(&Name) -> bool,
+    /// Those that equations give, with their values.
+    values: BTreeMap<Name, Tree>,
+    /// The inverses that were met, by the names that they have as factors, each with what it is the inverse of.
+    met: BTreeMap<String, Words>,
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(is_operator: &'a dyn Fn(&Name) -> bool) -> Self {
+        Self {
+            is_operator,
+            values: BTreeMap::new(),
+            met: BTreeMap::new(),
+        }
+    }
+
+    /// Gives a letter its value, where it has none and the value does not speak of it; returns whether it does now.
+    pub fn give(&mut self, name: &Name, value: &Tree) -> bool {
+        let mut spoken = BTreeSet::new();
+        names_in(value, &mut spoken);
+        let mut open: Vec<Name> = spoken.iter().cloned().collect();
+        while let Some(next) = open.pop() {
+            if let Some(value) = self.values.get(&next) {
+                let mut below = BTreeSet::new();
+                names_in(value, &mut below);
+                open.extend(below.into_iter().filter(|name| spoken.insert(name.clone())));
+            }
+        }
+        let may_have = !spoken.contains(name) && !self.values.contains_key(name);
+        if may_have {
+            self.values.insert(name.clone(), value.clone());
+        }
+        may_have
+    }
+
+    /// Returns true if an equation holds in every ring.
+    pub fn has_identity(&mut self, equation: &Equation) -> bool {
+        equation.relation == Relation::Equal && self.difference(equation).is_some_and(|words| words.is_zero())
+    }
+
+    /// Returns the left side less the right one.
+    pub fn difference(&mut self, equation: &Equation) -> Option<Words> {
+        let left = self.expanded(&equation.left, 0)?;
+        Some(left.plus(&self.expanded(&equation.right, 0)?.negated()))
+    }
+
+    /// Returns that each inverse that was met is one, on either side.
+    fn inverses(&self) -> Vec<Words> {
+        let mut given = Vec::new();
+        for (name, of) in &self.met {
+            let commutes = of.0.keys().all(|word| word.letters.is_empty());
+            let inverse = match commutes {
+                true => scalar(name),
+                false => letter(name),
+            };
+            let one = Words::constant(-Rational::one());
+            given.extend(inverse.times(of).map(|product| product.plus(&one)));
+            if !commutes {
+                given.extend(of.times(&inverse).map(|product| product.plus(&one)));
+            }
+        }
+        given
+    }
+
+    /// Multiplies a tree out, which stands in so many values; `None` where it is too large or says in which order it is
+    /// multiplied nowhere.
+    fn expanded(&mut self, tree: &Tree, depth: usize) -> Option<Words> {
+        match tree {
+            Tree::Symbol(name, _) if self.values.contains_key(name) => {
+                let value = self.values.get(name)?.clone();
+                (depth < DEEPEST).then(|| self.expanded(&value, depth + 1)).flatten()
+            }
+            Tree::Number(number) => Some(Words::constant(number.clone())),
+            Tree::Negate(of) => Some(self.expanded(of, depth)?.negated()),
+            Tree::PlusMinus(_) | Tree::MinusPlus(_) => None,
+            Tree::Sum(parts) => {
+                let mut sum = Words::default();
+                for part in parts {
+                    sum = sum.plus(&self.expanded(part, depth)?);
+                }
+                (sum.0.len() <= MOST_TERMS).then_some(sum)
+            }
+            Tree::Product(factors) => {
+                let mut product = Words::constant(Rational::one());
+                for factor in factors {
+                    product = product.times(&self.expanded(factor, depth)?)?;
+                }
+                Some(product)
+            }
+            // the square of a vector is that of its length
+            Tree::Power(of, 2, _) if vector_within(of).is_some() => {
+                let vector = vector_within(of)?;
+                self.bilinear(vector, vector, depth, true)
+            }
+            Tree::Power(of, exponent, _) if exponent.abs() <= HIGHEST_POWER => {
+                let of = self.expanded(of, depth)?;
+                let of = match *exponent < 0 {
+                    true => self.inverse(&of)?,
+                    false => of,
+                };
+                (0..exponent.abs()).try_fold(Words::constant(Rational::one()), |product, _| product.times(&of))
+            }
+            // a quotient does not say on which side the divisor stands
+            Tree::Quotient(above, below, _) => {
+                let below = self.expanded(below, depth)?;
+                let commutes = below.0.keys().all(|word| word.letters.is_empty());
+                let inverse = commutes.then(|| self.inverse(&below)).flatten()?;
+                self.expanded(above, depth)?.times(&inverse)
+            }
+            Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => {
+                let of = self.expanded(of, depth)?;
+                let may_conjugate = !matches!(&**exponent, Tree::Symbol(name, _) if name.base == "T");
+                let has_scalars = of.0.keys().any(|word| !word.scalars.is_empty());
+                match may_conjugate && has_scalars {
+                    true => Some(self.atom(tree)),
+                    false => Some(of.transposed()),
+                }
+            }
+            // A^{-T}
+            Tree::RealPower(of, exponent, _) if matches!(&**exponent, Tree::Negate(sign) if is_sign_of_transpose(of, sign)) =>
+            {
+                let of = self.expanded(of, depth)?;
+                self.inverse(&of).map(|inverse| inverse.transposed())
+            }
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Transpose(of) => Some(self.expanded(of, depth)?.transposed()),
+                Operation::Dot(left, right) => self.bilinear(left, right, depth, true),
+                Operation::Cross(left, right) => self.bilinear(left, right, depth, false),
+                _ => Some(self.atom(tree)),
+            },
+            tree => Some(self.atom(tree)),
+        }
+    }
+
+    /// The product of two vectors with a dot or a cross between, of which each is a sum.
+    fn bilinear(&mut self, left: &Tree, right: &Tree, depth: usize, is_dot: bool) -> Option<Words> {
+        let (left, right) = (self.expanded(left, depth)?, self.expanded(right, depth)?);
+        if left.0.len().saturating_mul(right.0.len()) > MOST_TERMS {
+            return None;
+        }
+        let mut sum = Words::default();
+        for (one, first) in &left.0 {
+            for (other, second) in &right.0 {
+                let coefficient = first.clone() * second.clone();
+                let (scalars, mut vectors) = (
+                    Word {
+                        letters: Vec::new(),
+                        ..one.clone()
+                    }
+                    .times(&Word {
+                        letters: Vec::new(),
+                        ..other.clone()
+                    }),
+                    [one, other].map(|word| printed(&word.letters)),
+                );
+                // of numbers both are the product
+                if vectors.iter().all(String::is_empty) {
+                    sum.add(scalars, coefficient);
+                    continue;
+                }
+                if vectors.iter().any(String::is_empty) {
+                    return None;
+                }
+                // what may be a matrix keeps its place
+                let are_vectors = [one, other].iter().all(|word| word.letters.iter().all(is_vector));
+                let is_turned = vectors[0] > vectors[1] && (!is_dot || are_vectors);
+                if is_turned {
+                    vectors.reverse();
+                }
+                let [first, second] = vectors;
+                let product = match is_dot {
+                    true if are_vectors => scalar(&format!("{first} . {second}")),
+                    true => letter(&format!("{first} . {second}")),
+                    false if first == second => continue,
+                    false => letter(&format!("{first} x {second}")),
+                };
+                let sign = if is_turned && !is_dot {
+                    -coefficient
+                } else {
+                    coefficient
+                };
+                sum.add_between(&sign, &scalars, &product, &Word::default());
+            }
+        }
+        Some(sum)
+    }
+
+    /// The inverse of a sum: of one commuting word its inverse, else a factor of its own.
+    fn inverse(&mut self, words: &Words) -> Option<Words> {
+        let (word, coefficient) = match words.only() {
+            Some((word, coefficient)) => (word.clone(), coefficient.clone()),
+            None if words.is_zero() => return None,
+            None => (Word::default(), Rational::one()),
+        };
+        let scalars = word.scalars.iter().map(|(factor, power)| (factor.clone(), -power));
+        let scalars = Words::of(
+            Word {
+                scalars: scalars.collect(),
+                letters: Vec::new(),
+            },
+            Rational::one() / coefficient,
+        );
+        let rest = match words.only() {
+            Some(_) => Words::of(
+                Word {
+                    scalars: BTreeMap::new(),
+                    ..word
+                },
+                Rational::one(),
+            ),
+            None => words.clone(),
+        };
+        if rest == Words::constant(Rational::one()) {
+            return Some(scalars);
+        }
+        // (A^T)^{-1} is the transpose of A^{-1}
+        let turned = rest.transposed();
+        let signs = |words: &Words| {
+            let letters = words.0.keys().flat_map(|word| &word.letters);
+            letters.filter(|letter| letter.is_transposed).count()
+        };
+        let is_turned = (signs(&turned), &turned.0) < (signs(&rest), &rest.0);
+        let of = if is_turned { turned } else { rest };
+        let name = format!("({})^-1", sum_printed(&of));
+        let inverse = match of.0.keys().all(|word| word.letters.is_empty()) {
+            true => scalar(&name),
+            false => letter(&name),
+        };
+        self.met.insert(name, of);
+        let inverse = if is_turned { inverse.transposed() } else { inverse };
+        scalars.times(&inverse)
+    }
+
+    /// A factor that is not looked into.
+    fn atom(&self, tree: &Tree) -> Words {
+        let is_operator = |node: &Tree| {
+            matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..)
+                if (self.is_operator)(name) || self.values.contains_key(name))
+        };
+        let name = tree.to_string();
+        match any(tree, &mut |node| is_operator(node)) {
+            true => letter(&name),
+            false => scalar(&name),
+        }
+    }
+}
+
+fn scalar(name: &str) -> Words {
+    let scalars = BTreeMap::from([(name.to_owned(), 1)]);
+    Words::of(
+        Word {
+            scalars,
+            letters: Vec::new(),
+        },
+        Rational::one(),
+    )
+}
+
+fn letter(name: &str) -> Words {
+    let letter = Letter {
+        name: name.to_owned(),
+        is_transposed: false,
+    };
+    Words::of(
+        Word {
+            scalars: BTreeMap::new(),
+            letters: vec![letter],
+        },
+        Rational::one(),
+    )
+}
+
+/// Returns true for a small letter in bold, or one under an arrow: it is a vector, and no matrix.
+fn is_vector(letter: &Letter) -> bool {
+    let is_small = |name: &str| {
+        let plain = name
+            .trim_end_matches('}')
+            .rsplit('{')
+            .next()
+            .unwrap_or_default()
+            .trim_start_matches('\\');
+        plain.starts_with(|c: char| c.is_ascii_lowercase())
+    };
+    let is_bold = texmath::BOLD.iter().any(|bold| letter.name.starts_with(bold));
+    !letter.is_transposed
+        && (ARROWS.iter().any(|arrow| letter.name.contains(arrow)) || (is_bold && is_small(&letter.name)))
+}
+
+/// The vector that a tree is, or is the length of.
+fn vector_within(tree: &Tree) -> Option<&Tree> {
+    match tree {
+        Tree::Symbol(name, _) => is_vector(&Letter {
+            name: name.to_string(),
+            is_transposed: false,
+        })
+        .then_some(tree),
+        Tree::Call(name, of, _) if name.base == r"\abs" => vector_within(of),
+        _ => None,
+    }
+}
+
+/// Factors as they are named within the name of another.
+fn printed(letters: &[Letter]) -> String {
+    let mark = |letter: &Letter| if letter.is_transposed { "'" } else { "" };
+    let letters = letters
+        .iter()
+        .map(|letter| format!("[{}]{}", letter.name, mark(letter)));
+    letters.collect()
+}
+
+/// A sum as it is named within the name of another factor.
+fn sum_printed(words: &Words) -> String {
+    let terms = words.0.iter().map(|(word, coefficient)| {
+        let scalars = word.scalars.iter().map(|(factor, power)| format!("[{factor}]^{power}"));
+        format!(
+            "{coefficient:?}{}{}",
+            scalars.collect::<String>(),
+            printed(&word.letters)
+        )
+    });
+    terms.collect::<Vec<_>>().join(" + ")
+}
+
+/// Returns what is transposed, where that is what a tree is.
+pub(super) fn transposed(tree: &Tree) -> Option<&Tree> {
+    match tree {
+        Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => Some(of),
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Transpose(of) => Some(of),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Returns true if an exponent is the sign of a transpose or an adjoint.
+pub(super) fn is_sign_of_transpose(of: &Tree, exponent: &Tree) -> bool {
+    let Tree::Symbol(name, _) = exponent else {
+        return false;
+    };
+    // I^H of a number is a power
+    let is_small = |node: &Tree| {
+        matches!(node, Tree::Number(_))
+            || matches!(node, Tree::Symbol(name, _) if !name.base.chars().all(|c| c.is_ascii_uppercase()))
+    };
+    let is_alone = *name == base_alone(name);
+    match name.base.as_str() {
+        r"\dagger" => true,
+        "T" => is_alone && !matches!(of, Tree::Number(_)),
+        "H" => is_alone && !any(of, &mut |node| is_small(node)),
+        _ => false,
+    }
+}
