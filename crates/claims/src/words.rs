@@ -4,7 +4,7 @@ use super::premise::Statements;
 use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
-use texmath::{Equation, Name, Operation, Relation, Tree, any, base_alone, names_in};
+use texmath::{Equation, Invariant, Name, Operation, Relation, Series, Tree, any, base_alone, is_opaque, names_in};
 
 /// The most terms of a sum of words, and the highest power that is multiplied out.
 const MOST_TERMS: usize = 2_000;
@@ -152,6 +152,8 @@ pub struct WordQuestion {
     pub claims: Vec<Words>,
     /// What premises say, and that each inverse is one.
     pub givens: Vec<Words>,
+    /// What sums are taken to have: no fewer terms than none, `n \ge 0`.
+    pub provided: Vec<String>,
 }
 
 impl WordQuestion {
@@ -159,6 +161,7 @@ impl WordQuestion {
     pub fn of(statements: &Statements, operators: &BTreeSet<String>) -> Option<Self> {
         let is_operator = |name: &Name| operators.contains(&name.to_string());
         let mut reader = Reader::new(&is_operator);
+        reader.may_transpose = !operators.is_empty();
         for local in &statements.locals {
             reader.give(&local.name, &local.tree);
         }
@@ -166,6 +169,8 @@ impl WordQuestion {
         for premise in &statements.premises {
             let is_plain = premise.assume.is_empty() && premise.equation.relation == Relation::Equal;
             match &premise.equation.left {
+                // of numbers all that is given counts, lest it contradict itself
+                _ if !is_plain && operators.is_empty() => return None,
                 _ if !is_plain => {}
                 Tree::Symbol(name, _) if reader.give(name, &premise.equation.right) => {}
                 _ => premises.push(&premise.equation),
@@ -187,7 +192,12 @@ impl WordQuestion {
             .filter_map(|premise| reader.difference(premise))
             .collect();
         givens.extend(reader.inverses());
-        Some(Self { claims, givens })
+        let provided = reader.provided.into_iter().collect();
+        Some(Self {
+            claims,
+            givens,
+            provided,
+        })
     }
 }
 
@@ -199,6 +209,12 @@ pub(super) struct Reader<'a> {
     values: BTreeMap<Name, Tree>,
     /// The inverses that were met, by the names that they have as factors, each with what it is the inverse of.
     met: BTreeMap<String, Words>,
+    /// Whether `A^T` may be a transpose, and no power.
+    may_transpose: bool,
+    /// Conditions under which the lengths of sums are what they are taken to be.
+    provided: BTreeSet<String>,
+    /// How many letters were bound.
+    bound: usize,
 }
 
 impl<'a> Reader<'a> {
@@ -207,6 +223,9 @@ impl<'a> Reader<'a> {
             is_operator,
             values: BTreeMap::new(),
             met: BTreeMap::new(),
+            may_transpose: false,
+            provided: BTreeSet::new(),
+            bound: 0,
         }
     }
 
@@ -262,8 +281,8 @@ impl<'a> Reader<'a> {
     /// multiplied nowhere.
     fn expanded(&mut self, tree: &Tree, depth: usize) -> Option<Words> {
         match tree {
-            Tree::Symbol(name, _) if self.values.contains_key(name) => {
-                let value = self.values.get(name)?.clone();
+            Tree::Symbol(name, _) if self.value(name).is_some() => {
+                let value = self.value(name)?;
                 (depth < DEEPEST).then(|| self.expanded(&value, depth + 1)).flatten()
             }
             Tree::Number(number) => Some(Words::constant(number.clone())),
@@ -303,7 +322,7 @@ impl<'a> Reader<'a> {
                 let inverse = commutes.then(|| self.inverse(&below)).flatten()?;
                 self.expanded(above, depth)?.times(&inverse)
             }
-            Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => {
+            Tree::RealPower(of, exponent, _) if self.may_transpose && is_sign_of_transpose(of, exponent) => {
                 let of = self.expanded(of, depth)?;
                 let may_conjugate = !matches!(&**exponent, Tree::Symbol(name, _) if name.base == "T");
                 let has_scalars = of.0.keys().any(|word| !word.scalars.is_empty());
@@ -313,12 +332,32 @@ impl<'a> Reader<'a> {
                 }
             }
             // A^{-T}
-            Tree::RealPower(of, exponent, _) if matches!(&**exponent, Tree::Negate(sign) if is_sign_of_transpose(of, sign)) =>
+            Tree::RealPower(of, exponent, _)
+                if self.may_transpose
+                    && matches!(&**exponent, Tree::Negate(sign) if is_sign_of_transpose(of, sign)) =>
             {
                 let of = self.expanded(of, depth)?;
                 self.inverse(&of).map(|inverse| inverse.transposed())
             }
+            Tree::Invariant {
+                kind: Invariant::Trace,
+                of,
+                at,
+            } => self.trace(&Tree::Symbol(of.clone(), *at), depth),
             Tree::Operation(operation, _) => match &**operation {
+                Operation::Series {
+                    kind: Series::Sum,
+                    of,
+                    index,
+                    from,
+                    to,
+                } => self.series(of, index, [from, to], depth),
+                Operation::Integral {
+                    of,
+                    by,
+                    limits: Some((low, high)),
+                } => self.integral(of, by, [low, high], depth),
+                Operation::Trace(of) => self.trace(of, depth),
                 Operation::Transpose(of) => Some(self.expanded(of, depth)?.transposed()),
                 Operation::Dot(left, right) => self.bilinear(left, right, depth, true),
                 Operation::Cross(left, right) => self.bilinear(left, right, depth, false),
@@ -326,6 +365,113 @@ impl<'a> Reader<'a> {
             },
             tree => Some(self.atom(tree)),
         }
+    }
+
+    /// The value of a letter; of a member of a family, `y_i` with a bound index, by what is given of each, `y_j = ...`.
+    fn value(&self, name: &Name) -> Option<Tree> {
+        if let Some(value) = self.values.get(name) {
+            return Some(value.clone());
+        }
+        let is_bound = name.subscript.starts_with(BOUND[0]) && name.subscript.matches(BOUND[0]).count() == 1;
+        let is_bound = is_bound && name.subscript.ends_with(BOUND[1]);
+        let letters = FAMILIES.iter().filter(|_| is_bound);
+        letters.into_iter().find_map(|letter| {
+            let subscript = (*letter).to_owned();
+            let value = self.values.get(&Name {
+                subscript,
+                ..name.clone()
+            })?;
+            Some(bound(value, &Name::plain(letter), &name.subscript))
+        })
+    }
+
+    /// A sum over an index: what does not depend on it stands in front of it, or behind.
+    fn series(&mut self, of: &Tree, index: &Name, ends: [&Tree; 2], depth: usize) -> Option<Words> {
+        let token = self.token();
+        let body = self.expanded(&bound(of, index, &token), depth)?;
+        let [from, to] = [self.expanded(ends[0], depth)?, self.expanded(ends[1], depth)?];
+        let range = format!("sum {}..{}", sum_printed(&from), sum_printed(&to));
+        let is_start = matches!(ends[0], Tree::Number(number) if number.0.is_zero() || number.0.is_one());
+        let is_finite = !matches!(ends[1], Tree::Operation(..));
+        let length = to.plus(&from.negated()).plus(&Words::constant(Rational::one()));
+        let commutes = length.0.keys().all(|word| word.letters.is_empty());
+        let is_free = |name: &str| !name.contains(&token);
+        let mut sum = Words::default();
+        for (word, coefficient) in &body.0 {
+            let (free, scalars) = word.scalars.clone().into_iter().partition(|(name, _)| is_free(name));
+            let front = word.letters.iter().take_while(|letter| is_free(&letter.name)).count();
+            let rest = word.letters.get(front..).unwrap_or_default();
+            let behind = rest.iter().rev().take_while(|letter| is_free(&letter.name)).count();
+            let (middle, last) = rest.split_at(rest.len() - behind);
+            let inner = Word {
+                scalars,
+                letters: middle.to_vec(),
+            };
+            let front = Word {
+                scalars: free,
+                letters: word.letters.iter().take(front).cloned().collect(),
+            };
+            let behind = Word {
+                scalars: BTreeMap::new(),
+                letters: last.to_vec(),
+            };
+            let inner = match inner == Word::default() {
+                true if is_start && is_finite && commutes => {
+                    let least = if matches!(ends[0], Tree::Number(number) if number.0.is_zero()) {
+                        "-1"
+                    } else {
+                        "0"
+                    };
+                    self.provided.insert(format!(r"{} \ge {least}", ends[1]));
+                    length.clone()
+                }
+                _ => closed(&range, &inner, &token),
+            };
+            sum.add_between(coefficient, &front, &inner, &behind);
+        }
+        Some(sum)
+    }
+
+    /// An integral between limits, term by term; any letter may depend on what it is over.
+    fn integral(&mut self, of: &Tree, by: &Name, limits: [&Tree; 2], depth: usize) -> Option<Words> {
+        let token = self.token();
+        let body = self.expanded(&bound(of, by, &token), depth)?;
+        let [low, high] = [self.expanded(limits[0], depth)?, self.expanded(limits[1], depth)?];
+        let range = format!("integral {}..{}", sum_printed(&low), sum_printed(&high));
+        let mut sum = Words::default();
+        for (word, coefficient) in &body.0 {
+            let none = Word::default();
+            sum.add_between(coefficient, &none, &closed(&range, word, &token), &none);
+        }
+        Some(sum)
+    }
+
+    /// The trace of a sum, of each word the same for all words that it is turned to.
+    fn trace(&mut self, of: &Tree, depth: usize) -> Option<Words> {
+        let of = self.expanded(of, depth)?;
+        let mut sum = Words::default();
+        for (word, coefficient) in &of.0 {
+            let turned = word.transposed();
+            let turns = [&word.letters, &turned.letters].into_iter().flat_map(|letters| {
+                (0..letters.len().max(1)).map(move |by| {
+                    let (front, behind) = letters.split_at(by.min(letters.len()));
+                    printed(&[behind, front].concat())
+                })
+            });
+            let trace = scalar(&format!("trace {}", turns.min().unwrap_or_default()));
+            let scalars = Word {
+                scalars: word.scalars.clone(),
+                letters: Vec::new(),
+            };
+            sum.add_between(coefficient, &scalars, &trace, &Word::default());
+        }
+        Some(sum)
+    }
+
+    /// The sign of a bound letter that no other has.
+    fn token(&mut self) -> String {
+        self.bound += 1;
+        format!("{}{}{}", BOUND[0], self.bound, BOUND[1])
     }
 
     /// The product of two vectors with a dot or a cross between, of which each is a sum.
@@ -492,6 +638,76 @@ fn vector_within(tree: &Tree) -> Option<&Tree> {
         .then_some(tree),
         Tree::Call(name, of, _) if name.base == r"\abs" => vector_within(of),
         _ => None,
+    }
+}
+
+/// The characters around the sign of a bound letter.
+const BOUND: [char; 2] = ['\u{1}', '\u{2}'];
+
+/// Letters that number the members of a family, of which all is given what is given of one.
+const FAMILIES: [&str; 4] = ["i", "j", "k", "l"];
+
+/// Puts the sign of a bound letter in its place, in subscripts too; a term that is not understood depends on it.
+fn bound(tree: &Tree, letter: &Name, token: &str) -> Tree {
+    let printed = letter.to_string();
+    let named = |name: &Name| {
+        if name == letter {
+            return Name::plain(token);
+        }
+        let mut name = name.clone();
+        name.subscript = with_token(&name.subscript, &printed, token);
+        if is_opaque(&name) {
+            name.base = with_token(&name.base, &printed, token) + token;
+        }
+        name
+    };
+    let again = |part: &Tree| bound(part, letter, token);
+    match tree {
+        Tree::Symbol(name, at) => Tree::Symbol(named(name), *at),
+        Tree::Call(name, argument, at) => Tree::Call(named(name), Box::new(again(argument)), *at),
+        Tree::Partial { of, by, at } => Tree::Partial {
+            of: named(of),
+            by: named(by),
+            at: *at,
+        },
+        Tree::Operation(operation, at) => {
+            let is_own = operation.letter() == Some(letter);
+            let operation = operation.map(&mut |part, is_bound| match is_own && is_bound {
+                true => part.clone(),
+                false => again(part),
+            });
+            Tree::Operation(Box::new(operation), *at)
+        }
+        tree => tree.map(&mut |part| again(part)),
+    }
+}
+
+/// Puts a sign in the place of a letter in a subscript or a term.
+fn with_token(text: &str, letter: &str, token: &str) -> String {
+    let (mut written, mut rest) = (String::new(), text);
+    while let Some(c) = rest.chars().next() {
+        let behind = rest.get(c.len_utf8()..).unwrap_or_default();
+        let length = match c {
+            '\\' => c.len_utf8() + behind.bytes().take_while(u8::is_ascii_alphabetic).count(),
+            c => c.len_utf8(),
+        };
+        let (sign, behind) = rest.split_at(length);
+        written.push_str(if sign == letter { token } else { sign });
+        rest = behind;
+    }
+    written
+}
+
+/// A factor that binds a letter: a word within, with the letter numbered by how many are bound in it.
+fn closed(range: &str, word: &Word, token: &str) -> Words {
+    let inner = sum_printed(&Words::of(word.clone(), Rational::one()));
+    let level = (1..)
+        .find(|level| !inner.contains(&format!("#{level}#")))
+        .unwrap_or(1_usize);
+    let name = format!("{range} {}", inner.replace(token, &format!("#{level}#")));
+    match word.letters.is_empty() {
+        true => scalar(&name),
+        false => letter(&name),
     }
 }
 

@@ -50,7 +50,7 @@ use claims::{
     Fault, Goal, Reduced, Rule, Sheet, Standing, Verdict, WordQuestion, other_ways, reduced, reduced_by_cases,
     thin_domains, values,
 };
-use texmath::{DoubtKind, Equation, Name, Tree, any_side};
+use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side};
 
 /// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
 fn negative_power(equation: &Equation) -> Option<Tree> {
@@ -129,6 +129,24 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
     kept
 }
 
+/// Returns true if a claim without conditions holds a sum of unknown length, of which no number is known.
+fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
+    let is_sum = |node: &Tree| match node {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Series { from, to, .. } => [from, to].into_iter().any(|end| !matches!(end, Tree::Number(_))),
+            _ => false,
+        },
+        _ => false,
+    };
+    let entry = sheet.entries.get(position).filter(|entry| entry.assume.is_empty());
+    entry.is_some_and(|entry| {
+        let equations = entry.equations.iter();
+        equations
+            .into_iter()
+            .any(|equation| any_side(equation, &mut |node| is_sum(node)))
+    })
+}
+
 /// The search for what decides one claim.
 struct Search<'a> {
     /// The decision before anything is known.
@@ -160,14 +178,28 @@ impl<'a> Search<'a> {
     fn decide_readings(&mut self, sheet: &Sheet, position: usize) -> Decision {
         let mut doubts = sheet.doubts(position);
         // what holds of letters that need not commute holds of numbers too
-        let mut decision = match doubts.iter().any(|kind| matches!(kind, DoubtKind::Marked(_))) {
+        let is_marked = |kind: &DoubtKind| matches!(kind, DoubtKind::Marked(_));
+        let of_all = match doubts.iter().any(is_marked) {
             true => self.in_words(sheet, position),
             false => None,
         };
-        if decision.is_some() {
-            doubts.retain(|kind| !matches!(kind, DoubtKind::Marked(_)));
-        }
-        let decision = decision.take().unwrap_or_else(|| self.decide(sheet, position));
+        let decision = match of_all {
+            Some(decision) => {
+                doubts.retain(|kind| !is_marked(kind));
+                decision
+            }
+            None => {
+                let decision = self.decide(sheet, position);
+                let is_open = matches!(decision.verdict, Verdict::Undecided | Verdict::Unread) && !decision.is_vacuous;
+                let is_of_sums = || is_open && !doubts.iter().any(is_marked) && speaks_of_sums(sheet, position);
+                let further = if is_of_sums() {
+                    self.in_words(sheet, position)
+                } else {
+                    None
+                };
+                further.unwrap_or(decision)
+            }
+        };
         let is_open = match decision.verdict {
             Verdict::Refuted => true,
             Verdict::Proved => !doubts.iter().all(DoubtKind::spares_proofs),
@@ -205,6 +237,7 @@ impl<'a> Search<'a> {
         let mut decision = self.start.clone();
         decision.reason.clone_from(&self.reason);
         decision.accept_proofs(&[proved]);
+        decision.provide(question.provided);
         decision.rules.extend(statements.rules);
         decision.rules.insert(Rule::Words);
         Some(decision)

@@ -245,7 +245,13 @@ impl Symbols {
     /// Returns the first symbol of the formula that may be complex, left out what stands in absolute values, real and imaginary
     /// parts and arguments, which are real; `extra` are complex besides.
     pub fn complex_in<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool) -> Option<&'t Name> {
+        self.complex_beside(tree, extra, &[])
+    }
+
+    /// Does so beside letters that are bound: an index `i` is no imaginary unit.
+    fn complex_beside<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool, bound: &[&Name]) -> Option<&'t Name> {
         match tree {
+            Tree::Symbol(name, _) if bound.contains(&name) => None,
             Tree::Symbol(name, _) => {
                 let single = pair_of(name);
                 let listed = self.is_complex(single.as_ref().unwrap_or(name));
@@ -255,7 +261,13 @@ impl Symbols {
                 (is_complex || extra(name)).then_some(name)
             }
             Tree::Call(name, ..) if matches!(name.base.as_str(), r"\abs" | r"\Re" | r"\Im" | r"\arg") => None,
-            _ => tree.find_below(&mut |part| self.complex_in(part, extra)),
+            Tree::Operation(operation, _) => {
+                let within: Vec<&Name> = bound.iter().copied().chain(operation.letter()).collect();
+                let parts = operation.parts().into_iter();
+                let mut bound = parts.map(|(part, is_bound)| (part, if is_bound { within.as_slice() } else { bound }));
+                bound.find_map(|(part, bound)| self.complex_beside(part, extra, bound))
+            }
+            _ => tree.find_below(&mut |part| self.complex_beside(part, extra, bound)),
         }
     }
 

@@ -27,6 +27,8 @@ pub(super) struct Guessed {
     pub follows_from: Vec<String>,
     /// What its verdict rests on that nobody said.
     pub guessed: Vec<String>,
+    /// Conditions that are guessed.
+    pub assume: Vec<String>,
     /// Its standing where nobody says it: [`Standing::Law`] if nothing before speaks of one of its letters and its sides have
     /// different ones.
     pub standing: Standing,
@@ -216,6 +218,14 @@ impl Constants {
     fn is_doubtful(&self, node: &Tree) -> bool {
         (Self::is_letter(node, "e") && !self.e) || (Self::is_letter(node, "i") && (!self.i || self.i_is_index))
     }
+}
+
+/// Returns true if a letter is the index of each sum of an equation that it stands in, and stands nowhere else.
+fn binds_it(equation: &Equation, letter: &Tree) -> bool {
+    let Tree::Symbol(name, _) = letter else { return false };
+    [&equation.left, &equation.right]
+        .into_iter()
+        .all(|side| !side.has_free(name))
 }
 
 /// Whether this is `\frac{D u}{D t}`.
@@ -626,10 +636,14 @@ impl Guess {
                 self.state(label, &equations, is_link);
             }
         }
-        let mut guessed = Vec::new();
+        let (mut guessed, mut assume) = (Vec::new(), Vec::new());
         if role == Role::Claim {
             if !self.has_symbols {
                 guessed.push("each symbol is real and has one value".to_owned());
+                assume.extend(equations.iter().flat_map(with_terms));
+                let conditions: Vec<String> = assume.iter().map(|condition| format!("`{condition}`")).collect();
+                let are_known = !conditions.is_empty();
+                guessed.extend(are_known.then(|| format!("sums have a term at least, {}", conditions.join(", "))));
             }
             let from: Vec<String> = below.iter().map(|label| format!("({label})")).collect();
             let from = if from.is_empty() {
@@ -674,6 +688,7 @@ impl Guess {
             role,
             follows_from,
             guessed,
+            assume,
             standing,
         }
     }
@@ -907,7 +922,7 @@ impl Guess {
                 Some(MAY_BE_OPERATORS)
             } else if is_some(&mut |node| has_index_above(node)) {
                 Some("an index, or an exponent?")
-            } else if is_some(&mut |node| self.constants.is_doubtful(node)) {
+            } else if is_some(&mut |node| self.constants.is_doubtful(node) && !binds_it(equation, node)) {
                 Some("is `e` or `i` the number?")
             } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
                 Some("a letter of a constant that the document gives a value")
@@ -1454,6 +1469,46 @@ fn called_with_a_letter(shown: &str) -> Vec<String> {
         })
         .filter_map(|(at, _)| letter_before(shown.get(..at)?).map(str::to_owned))
         .collect()
+}
+
+/// The conditions under which the sums and products of an equation have a term at least, `n \in \mathbb{Z}` and `n \ge 1`; none
+/// where members of a family stand in it, `x_i`, of which nothing is decided number by number.
+fn with_terms(equation: &Equation) -> BTreeSet<String> {
+    let (mut ranges, mut letters, mut subscripts) = (Vec::new(), BTreeSet::new(), BTreeSet::new());
+    any_side(equation, &mut |node| {
+        match node {
+            Tree::Operation(operation, _) => {
+                if let Operation::Series { index, from, to, .. } = &**operation {
+                    letters.insert(index.clone());
+                    ranges.push((index.clone(), from.clone(), to.clone()));
+                }
+            }
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                subscripts.extend((!name.subscript.is_empty()).then(|| name.subscript.clone()))
+            }
+            _ => {}
+        }
+        false
+    });
+    let mut conditions = BTreeSet::new();
+    for (_, from, to) in &ranges {
+        let is_known = [from, to]
+            .into_iter()
+            .all(|end| !matches!(end, Tree::Operation(..)) && letters.iter().all(|index| !end.has_free(index)));
+        if is_known && !matches!((from, to), (Tree::Number(_), Tree::Number(_))) {
+            let mut names = BTreeSet::new();
+            names_in(from, &mut names);
+            names_in(to, &mut names);
+            conditions.extend(names.iter().map(|name| format!(r"{name} \in \mathbb{{Z}}")));
+            conditions.insert(format!(r"{to} \ge {from}"));
+            letters.extend(names);
+        }
+    }
+    let numbers = |subscript: &String| letters.iter().any(|letter| subscript.contains(&letter.to_string()));
+    match subscripts.iter().any(numbers) {
+        true => BTreeSet::new(),
+        false => conditions,
+    }
 }
 
 /// Whether `\times` stands between letters.

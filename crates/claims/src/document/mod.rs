@@ -546,7 +546,11 @@ fn entries(
             tex: here(tex),
             local: own.local,
             with: own.with,
-            assume: own.assume,
+            assume: own
+                .assume
+                .into_iter()
+                .chain(guessed.assume.into_iter().map(here))
+                .collect(),
             follows_from: Some(follows_from.into_iter().map(here).collect()),
             expect: own.expect.unwrap_or_default(),
             names: formula.labels.clone(),

@@ -126,7 +126,7 @@ impl fmt::Display for Rule {
             Self::CauchySchwarz => "modulus: Cauchy-Schwarz",
             Self::InequalityDerivatives => "inequality: signs of derivatives",
             Self::InverseRange => "inverse: range",
-            Self::Words => "matrices: words",
+            Self::Words => "words: any ring",
         })
     }
 }
