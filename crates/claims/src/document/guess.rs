@@ -99,6 +99,8 @@ pub(super) struct Guess {
     outlines: Outlines,
     /// Which formula defines a name.
     definitions: HashMap<Name, String>,
+    /// The names that formulas within the text define.
+    in_passing: HashSet<Name>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
     /// The formulas that give a defined name once more.
@@ -557,6 +559,7 @@ impl Guess {
             met: HashSet::new(),
             outlines: Outlines::default(),
             definitions: HashMap::new(),
+            in_passing: HashSet::new(),
             premises: Vec::new(),
             again: HashMap::new(),
             stated: Vec::new(),
@@ -568,6 +571,42 @@ impl Guess {
             undeclared: BTreeMap::new(),
             uses: HashMap::new(),
         }
+    }
+
+    /// Takes what a formula within the text says, and returns what it is to those that follow from it; nothing where it is no
+    /// equation of letters that are read.
+    pub fn aside(&mut self, at: usize, label: &str) -> Option<Role> {
+        self.numbers.insert(label.to_owned(), at);
+        let equations = self.read.get(at).filter(|equations| equations.len() == 1)?.clone();
+        let equation = equations
+            .first()
+            .filter(|equation| equation.relation == Relation::Equal)?;
+        if self.conflict(at).is_some() || self.question(at, "").is_some() || question_below(&equations).is_some() {
+            return None;
+        }
+        let new = self.defined(equation);
+        let mut names = BTreeSet::new();
+        names_in(&equation.left, &mut names);
+        names_in(&equation.right, &mut names);
+        let role = match &new {
+            Some(name) => {
+                self.definitions.insert(name.clone(), label.to_owned());
+                self.in_passing.insert(name.clone());
+                Role::Definition
+            }
+            None => {
+                if let Some(name) = self.second_value(&equations) {
+                    self.again.entry(name).or_default().push(label.to_owned());
+                }
+                self.state(label, &equations, false);
+                Role::Premise
+            }
+        };
+        self.guessed.insert(label.to_owned(), role);
+        self.met.extend(names.iter().cloned());
+        names.retain(|name| Some(name) != new.as_ref());
+        self.names.extend(names);
+        Some(role)
     }
 
     /// Guesses the role of a formula and what it follows from.
@@ -618,7 +657,10 @@ impl Guess {
         };
         let loose = question_below(&equations);
         // a letter that is given a second value has either
-        if let Some(name) = self.second_value(&equations).filter(|_| is_guess && !is_link) {
+        if let Some(name) = self
+            .second_value(&equations)
+            .filter(|_| is_guess && !is_link && new.is_none())
+        {
             self.again.entry(name).or_default().push(label.to_owned());
         }
         if is_guess && role == Role::Claim {
@@ -661,6 +703,9 @@ impl Guess {
         let follows_from: Vec<String> = if is_founded { Vec::new() } else { below };
         match role {
             Role::Definition => {
+                new.iter().for_each(|name| {
+                    self.in_passing.remove(name);
+                });
                 self.definitions
                     .extend(new.clone().map(|name| (name, label.to_owned())));
             }
@@ -1040,7 +1085,9 @@ impl Guess {
         };
         let mut right = BTreeSet::new();
         names_in(&equation.right, &mut right);
-        let is_new = !self.met.contains(name) && !self.symbols.knows(name) && !is_constant(name);
+        // what a display defines counts before what the text says in passing
+        let is_met = self.met.contains(name) && !self.in_passing.contains(name);
+        let is_new = !is_met && !self.symbols.knows(name) && !is_constant(name);
         let is_function = self.functions.contains(name) || name.base == TIME;
         let is_one = pair_of(name).is_none() && name.primes == 0 && !is_function;
         (equation.relation == Relation::Equal && is_new && is_one && !right.contains(name)).then(|| name.clone())

@@ -47,6 +47,11 @@ pub(super) fn parted(formulas: Vec<Formula>, text: &str) -> Vec<Formula> {
     let mut last = String::new();
     for formula in formulas {
         firsts.push(all.len());
+        if formula.is_aside {
+            let first = all.len();
+            all.push(Formula { first, ..formula });
+            continue;
+        }
         let first = firsts.get(formula.first).copied().unwrap_or_default();
         let tex = formula.tex.as_deref().unwrap_or_default();
         // a macro that was replaced shifts what stands behind it

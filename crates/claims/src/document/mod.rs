@@ -1,6 +1,7 @@
 //! Documents as authors write them: their displays are the formulas of a sheet, comments that do not print say what each is, and
 //! what nobody says is guessed, and called a guess.
 
+mod asides;
 mod comment;
 mod draft;
 mod factors;
@@ -108,7 +109,7 @@ impl Document {
     pub fn read_below(text: &str, preamble: &str, markup: Markup, include: Include<'_>) -> Self {
         let mut scan = Scan::new(text, preamble, markup, include);
         if scan.comments.is_empty() {
-            scan.formulas = links::parted(scan.formulas, &scan.text);
+            scan.formulas = links::parted(asides::merged(scan.formulas, scan.asides), &scan.text);
         }
         let place = |at: usize| Spanned::new(at..at, String::new());
         let lines = Text::of_files(&scan.text, &scan.files);
@@ -508,6 +509,28 @@ fn entries(
             continue;
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
+        if formula.is_aside {
+            raw.equation.extend(guess.aside(at, label).map(|role| RawEntry {
+                label: here(label.clone()),
+                role,
+                tex: here(tex),
+                local: Vec::new(),
+                with: Vec::new(),
+                assume: Vec::new(),
+                follows_from: Some(Vec::new()),
+                expect: Verdict::default(),
+                names: Vec::new(),
+                guessed: Vec::new(),
+                standing: Standing::Said,
+                doubts: Vec::new(),
+                operators: Vec::new(),
+                identities: Vec::new(),
+                marked: Vec::new(),
+                unread: None,
+                way: None,
+            }));
+            continue;
+        }
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
         let guessed = guess.of(&Asked {
             at,
@@ -655,7 +678,12 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
         }
         let head = chain.first().map_or(0, |formula| formula.part.start);
         let name = chain.iter().find_map(|formula| formula.labels.first().cloned());
-        let name = name.unwrap_or_else(|| format!("line {}", line(head)));
+        let place = if chain.iter().all(|formula| formula.is_aside) {
+            "text of line"
+        } else {
+            "line"
+        };
+        let name = name.unwrap_or_else(|| format!("{place} {}", line(head)));
         let bases: Vec<String> = numbers
             .into_iter()
             .map(|number| number.unwrap_or_else(|| name.clone()))

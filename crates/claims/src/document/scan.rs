@@ -1,6 +1,7 @@
 //! A document from its beginning to its end: its displays, its comments, its macros, the files that it includes.
 
 use super::super::fault::File;
+use super::asides::{self, Aside};
 use super::comment::{is_misspelt, is_of_document};
 use super::macros::{DEFINING, Macros};
 use super::markdown::unescaped;
@@ -62,6 +63,8 @@ pub(super) struct Formula {
     pub comments: Vec<usize>,
     /// Whether they stand behind its display, and are about all of that.
     pub is_of_display: bool,
+    /// Whether it stands within the text.
+    pub is_aside: bool,
 }
 
 /// A comment that begins with `audit:`, or is meant to.
@@ -216,6 +219,8 @@ pub(super) struct Scan<'a> {
     pub text: String,
     pub files: Vec<File>,
     pub formulas: Vec<Formula>,
+    /// Formulas within the text that words announce.
+    pub asides: Vec<Aside>,
     pub comments: Vec<Comment>,
     /// What is wrong, and where.
     pub faults: Vec<(usize, String)>,
@@ -276,6 +281,7 @@ impl<'a> Scan<'a> {
             text: String::new(),
             files: Vec::new(),
             formulas: Vec::new(),
+            asides: Vec::new(),
             comments: Vec::new(),
             faults: Vec::new(),
             notes: Vec::new(),
@@ -613,6 +619,44 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Keeps a formula within the text, that opens here, where words announce that it holds.
+    fn aside(&mut self, here: usize, body: Range<usize>) {
+        let text = |part: Range<usize>| self.text.get(part).unwrap_or_default();
+        let tex = text(body.clone());
+        if !asides::states(tex) {
+            return;
+        }
+        let last = self.asides.last();
+        let between = last.map(|last| (text(last.formula.part.end + 1..here), last.is_behind));
+        let Some(is_behind) = asides::announced(text(0..here), between) else {
+            return;
+        };
+        // of the display before, where nothing but this sentence stands between
+        let display = self
+            .formulas
+            .last()
+            .filter(|last| is_behind && !has_empty_line(text(last.part.end..here)));
+        let after = display.map_or(self.formulas.len(), |last| last.first);
+        let Ok(tex) = self.macros.expanded(tex) else { return };
+        self.asides.push(Aside {
+            formula: Formula {
+                part: body,
+                tex: Ok(tex),
+                number: None,
+                labels: Vec::new(),
+                is_doubtful: false,
+                is_link: false,
+                goes_with_last: false,
+                first: 0,
+                comments: Vec::new(),
+                is_of_display: false,
+                is_aside: true,
+            },
+            is_behind,
+            after,
+        });
+    }
+
     fn dollars(&mut self, here: usize, end: usize) -> usize {
         let is_display = self.text.as_bytes().get(here + 1) == Some(&b'$');
         let sign = if is_display { "$$" } else { "$" };
@@ -642,6 +686,8 @@ impl<'a> Scan<'a> {
             }
             if is_display {
                 self.display(body, Numbers::None, "$$");
+            } else {
+                self.aside(here, body);
             }
             return found + sign.len();
         }
@@ -1257,6 +1303,7 @@ impl<'a> Scan<'a> {
             first,
             comments: Vec::new(),
             is_of_display: false,
+            is_aside: false,
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
     }
