@@ -395,6 +395,7 @@ pub struct RawOpaque {
     pub factors: BTreeSet<String>,
     pub functions: BTreeSet<String>,
     pub values: BTreeSet<String>,
+    pub transposes: bool,
 }
 
 impl From<RawOpaque> for Opaque {
@@ -403,6 +404,7 @@ impl From<RawOpaque> for Opaque {
             factors: raw.factors,
             functions: raw.functions,
             values: raw.values,
+            transposes: raw.transposes,
         }
     }
 }

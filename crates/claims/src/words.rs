@@ -4,7 +4,9 @@ use super::premise::Statements;
 use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
-use texmath::{Equation, Invariant, Name, Operation, Relation, Series, Tree, any, base_alone, is_opaque, names_in};
+use texmath::{
+    BOLD, Equation, Invariant, Name, Operation, Relation, Series, Tree, any, base_alone, is_opaque, names_in,
+};
 
 /// The most terms of a sum of words, and the highest power that is multiplied out.
 const MOST_TERMS: usize = 2_000;
@@ -166,6 +168,9 @@ impl WordQuestion {
             reader.give(&local.name, &local.tree);
         }
         let mut premises = Vec::new();
+        for value in reader.values.values().cloned().collect::<Vec<_>>() {
+            let _ = reader.expanded(&value, 0);
+        }
         for premise in &statements.premises {
             let is_plain = premise.assume.is_empty() && premise.equation.relation == Relation::Equal;
             match &premise.equation.left {
@@ -176,22 +181,28 @@ impl WordQuestion {
                 _ => premises.push(&premise.equation),
             }
         }
-        let is_equation = |equation: &&Equation| equation.relation == Relation::Equal;
-        let claims = statements.claims.iter();
-        let claims: Option<Vec<Words>> = claims
-            .map(|claim| {
-                Some(claim)
-                    .filter(is_equation)
-                    .and_then(|claim| reader.difference(claim))
-            })
-            .collect();
-        let claims = claims.filter(|claims| !claims.is_empty())?;
         // what cannot be written in words is not used
-        let mut givens: Vec<Words> = premises
-            .into_iter()
-            .filter_map(|premise| reader.difference(premise))
-            .collect();
+        let mut givens: Vec<Words> = Vec::new();
+        for premise in premises {
+            givens.extend(reader.difference(premise));
+        }
+        let known: BTreeSet<String> = reader.inverted.keys().cloned().collect();
+        let rests = !givens.is_empty() || !reader.values.is_empty();
+        let mut claims = Vec::new();
+        for claim in &statements.claims {
+            claims.push(reader.difference(claim).filter(|_| claim.relation == Relation::Equal)?);
+        }
         givens.extend(reader.inverses());
+        // an inverse that nothing speaks of before
+        let new = reader
+            .inverted
+            .iter()
+            .filter(|(name, _)| rests && !known.contains(*name));
+        let new: Vec<String> = new.map(|(_, of)| format!("{of} has an inverse")).collect();
+        reader.provided.extend(new);
+        if claims.is_empty() {
+            return None;
+        }
         let provided = reader.provided.into_iter().collect();
         Some(Self {
             claims,
@@ -209,6 +220,8 @@ pub(super) struct Reader<'a> {
     values: BTreeMap<Name, Tree>,
     /// The inverses that were met, by the names that they have as factors, each with what it is the inverse of.
     met: BTreeMap<String, Words>,
+    /// What was inverted, as it prints first, by the names of the inverses.
+    inverted: BTreeMap<String, String>,
     /// Whether `A^T` may be a transpose, and no power.
     may_transpose: bool,
     /// Conditions under which the lengths of sums are what they are taken to be.
@@ -223,6 +236,7 @@ impl<'a> Reader<'a> {
             is_operator,
             values: BTreeMap::new(),
             met: BTreeMap::new(),
+            inverted: BTreeMap::new(),
             may_transpose: false,
             provided: BTreeSet::new(),
             bound: 0,
@@ -302,17 +316,24 @@ impl<'a> Reader<'a> {
                 }
                 Some(product)
             }
+            // what is printed above a letter is an index
+            Tree::Power(of, 0 | 1, _) if matches!(**of, Tree::Symbol(..)) => None,
             // the square of a vector is that of its length
             Tree::Power(of, 2, _) if vector_within(of).is_some() => {
                 let vector = vector_within(of)?;
                 self.bilinear(vector, vector, depth, true)
             }
             Tree::Power(of, exponent, _) if exponent.abs() <= HIGHEST_POWER => {
-                let of = self.expanded(of, depth)?;
-                let of = match *exponent < 0 {
-                    true => self.inverse(&of)?,
-                    false => of,
-                };
+                let printed = of;
+                let mut of = self.expanded(of, depth)?;
+                if *exponent < 0 {
+                    of = self.inverse(&of)?;
+                    let factors = of.0.keys().flat_map(|word| &word.letters);
+                    let names: Vec<String> = factors.map(|letter| letter.name.clone()).collect();
+                    for name in names.into_iter().filter(|name| self.met.contains_key(name)) {
+                        self.inverted.entry(name).or_insert_with(|| format!("${printed}$"));
+                    }
+                }
                 (0..exponent.abs()).try_fold(Words::constant(Rational::one()), |product, _| product.times(&of))
             }
             // a quotient does not say on which side the divisor stands
@@ -555,6 +576,20 @@ impl<'a> Reader<'a> {
         if rest == Words::constant(Rational::one()) {
             return Some(scalars);
         }
+        // nothing is divided by a vector
+        let is_of_vector = |letter: &Letter| {
+            is_vector(&Letter {
+                is_transposed: false,
+                ..letter.clone()
+            })
+        };
+        if rest
+            .0
+            .keys()
+            .any(|word| matches!(word.letters.as_slice(), [only] if is_of_vector(only)))
+        {
+            return None;
+        }
         // (A^T)^{-1} is the transpose of A^{-1}
         let turned = rest.transposed();
         let signs = |words: &Words| {
@@ -576,8 +611,9 @@ impl<'a> Reader<'a> {
     /// A factor that is not looked into.
     fn atom(&self, tree: &Tree) -> Words {
         let is_operator = |node: &Tree| {
-            matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..)
-                if (self.is_operator)(name) || self.values.contains_key(name))
+            let is_letter = matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..)
+                if (self.is_operator)(name) || self.values.contains_key(name));
+            is_letter || matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Matrix(_)))
         };
         let name = tree.to_string();
         match any(tree, &mut |node| is_operator(node)) {
@@ -614,18 +650,12 @@ fn letter(name: &str) -> Words {
 
 /// Returns true for a small letter in bold, or one under an arrow: it is a vector, and no matrix.
 fn is_vector(letter: &Letter) -> bool {
-    let is_small = |name: &str| {
-        let plain = name
-            .trim_end_matches('}')
-            .rsplit('{')
-            .next()
-            .unwrap_or_default()
-            .trim_start_matches('\\');
-        plain.starts_with(|c: char| c.is_ascii_lowercase())
+    let of = BOLD.iter().find_map(|bold| letter.name.strip_prefix(bold));
+    let is_small = |of: &str| {
+        of.trim_start_matches(['{', ' '])
+            .starts_with(|c: char| c.is_ascii_lowercase())
     };
-    let is_bold = texmath::BOLD.iter().any(|bold| letter.name.starts_with(bold));
-    !letter.is_transposed
-        && (ARROWS.iter().any(|arrow| letter.name.contains(arrow)) || (is_bold && is_small(&letter.name)))
+    !letter.is_transposed && (ARROWS.iter().any(|arrow| letter.name.contains(arrow)) || of.is_some_and(is_small))
 }
 
 /// The vector that a tree is, or is the length of.
@@ -736,7 +766,10 @@ fn sum_printed(words: &Words) -> String {
 /// Returns what is transposed, where that is what a tree is.
 pub(super) fn transposed(tree: &Tree) -> Option<&Tree> {
     match tree {
-        Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => Some(of),
+        Tree::RealPower(of, exponent, _) => match &**exponent {
+            Tree::Negate(sign) => is_sign_of_transpose(of, sign).then_some(of),
+            sign => is_sign_of_transpose(of, sign).then_some(of),
+        },
         Tree::Operation(operation, _) => match &**operation {
             Operation::Transpose(of) => Some(of),
             _ => None,

@@ -131,6 +131,18 @@ impl Reader<'_> {
                 self.close_brace(token.at).map(|()| tree)?
             }
         };
+        let may_transpose = self.names.opaque.as_ref().is_some_and(|opaque| opaque.transposes);
+        let signed = |tree: &Tree| match tree {
+            Tree::Symbol(name, at) if may_transpose && *name == Name::plain("T") => {
+                Some(Tree::Symbol(Name::plain("\\top"), *at))
+            }
+            _ => None,
+        };
+        let tree = match &*tree {
+            Tree::Negate(inner) => signed(inner).map(|sign| Box::new(Tree::Negate(Box::new(sign)))),
+            own => signed(own).map(Box::new),
+        }
+        .unwrap_or(tree);
         let value = Value::Real(tree);
         Ok(Exponent { value, at })
     }

@@ -688,6 +688,11 @@ impl<'a> Writer<'a, '_> {
         }
         let single = inside.trim().trim_start_matches('-');
         let is_single = !has_at_top(single, &["+", "-", r"\pm", r"\mp"]);
+        // a matrix before a product of others
+        let count = |text: &str| BOLD.iter().map(|bold| text.matches(bold).count()).sum::<usize>();
+        if is_bold(name) && count(inside) > 1 && !inside.contains(',') {
+            return false;
+        }
         is_single || FUNCTION_LETTERS.contains(&letter) || name.starts_with(r"\mathcal")
     }
 

@@ -36,6 +36,8 @@ pub struct Opaque {
     pub functions: BTreeSet<String>,
     /// Letters that have a value, as they print: derivatives of all others are terms that are not understood.
     pub values: BTreeSet<String>,
+    /// Whether `A^T` is a transpose, as `T` stands nowhere else.
+    pub transposes: bool,
 }
 
 /// Commands of letters in bold.

@@ -914,7 +914,10 @@ impl<'a> Reader<'a> {
 
     /// `\vec{a} \times \vec{b}` and `\vec{a} \cdot \vec{b}`, where a side is plainly no number; else `None`.
     pub(super) fn vector_product(operator: Token<'_>, left: &[Tree], right: &Tree) -> Option<Tree> {
-        if operator.kind != Kind::Times || !(left.iter().any(is_vector) || is_vector(right)) {
+        // unit vectors have hats, and so have operators, which have no cross between
+        let is_crossed = |tree: &Tree| operator.text == "\\times" && has_hat(tree);
+        let is_one = |tree: &Tree| is_vector(tree) || is_crossed(tree);
+        if operator.kind != Kind::Times || !(left.iter().any(is_one) || is_one(right)) {
             return None;
         }
         let left = match left {
@@ -1149,6 +1152,11 @@ fn is_vector(tree: &Tree) -> bool {
         Tree::Quotient(above, ..) => is_vector(above),
         _ => false,
     }
+}
+
+/// Returns true for a letter with a hat.
+fn has_hat(tree: &Tree) -> bool {
+    matches!(tree, Tree::Symbol(name, _) if name.accents.iter().any(|accent| accent == "\\hat"))
 }
 
 /// The tree without the differential that ends it, which is none of its factors elsewhere.

@@ -1,16 +1,5 @@
 //! Formulas within the text that say what a letter is or that something holds: `where $N = N_t + N_c$`, `let $u = x^4$`.
 
-use super::scan::Formula;
-
-/// A formula within the text, and how many formulas stand before it: `where` is said of the display before it.
-#[derive(Clone, Debug)]
-pub(super) struct Aside {
-    pub formula: Formula,
-    /// Whether it is said of the display before it.
-    pub is_behind: bool,
-    pub after: usize,
-}
-
 /// Words in front of what is said of the display before, and of what comes after.
 const BEHIND: [&str; 2] = ["where", "with"];
 const IN_FRONT: [&str; 20] = [
@@ -124,26 +113,6 @@ pub(super) fn announced(before: &str, between: Option<(&str, bool)>) -> Option<b
         (_, true) => Some(false),
         _ => None,
     }
-}
-
-/// Puts formulas within the text among the displays, where they are said.
-pub(super) fn merged(formulas: Vec<Formula>, asides: Vec<Aside>) -> Vec<Formula> {
-    let mut all: Vec<Formula> = Vec::with_capacity(formulas.len() + asides.len());
-    let mut asides = asides.into_iter().peekable();
-    let mut places: Vec<usize> = Vec::with_capacity(formulas.len());
-    let number = formulas.len();
-    for (at, formula) in formulas.into_iter().map(Some).chain([None]).enumerate() {
-        while let Some(aside) = asides.next_if(|aside| aside.after <= at.min(number)) {
-            let first = all.len();
-            all.push(Formula { first, ..aside.formula });
-        }
-        if let Some(formula) = formula {
-            places.push(all.len());
-            let first = places.get(formula.first).copied().unwrap_or_default();
-            all.push(Formula { first, ..formula });
-        }
-    }
-    all
 }
 
 #[cfg(test)]

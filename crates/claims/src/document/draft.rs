@@ -127,7 +127,8 @@ fn of_symbols(symbols: &RawSymbols) -> String {
             .map(|names| list(&names.iter().cloned().collect::<Vec<_>>()));
         let _ = writeln!(
             text,
-            "opaque = {{ factors = {factors}, functions = {functions}, values = {values} }}"
+            "opaque = {{ factors = {factors}, functions = {functions}, values = {values}, transposes = {} }}",
+            opaque.transposes
         );
     }
     let pairs = [

@@ -170,7 +170,9 @@ fn acts_on_a_letter(node: &Tree) -> bool {
 /// Whether a Greek letter stands above another: mostly an index.
 fn has_index_above(node: &Tree) -> bool {
     let is_greek = |part: &Tree| matches!(part, Tree::Symbol(name, _) if name.base.starts_with('\\'));
-    matches!(node, Tree::RealPower(of, exponent, _)
+    // nobody writes the power 0 or 1
+    matches!(node, Tree::Power(of, 0 | 1, _) if matches!(**of, Tree::Symbol(..)))
+        || matches!(node, Tree::RealPower(of, exponent, _)
         if is_greek(of) && is_greek(exponent) && !is_sign_of_transpose(of, exponent))
 }
 
@@ -461,7 +463,7 @@ impl Guess {
         names.defined = once.map(|(name, _)| name).collect();
         names.defined.sort();
         let mut given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
-        let (mut values, mut rounds) = (BTreeSet::new(), MOST_ROUNDS);
+        let (mut values, mut rounds, mut transposes) = (BTreeSet::new(), MOST_ROUNDS, false);
         let mut factors: BTreeSet<String> = symbols.parameters().map(|name| name.base.clone()).collect();
         let shown = formulas
             .iter()
@@ -472,15 +474,19 @@ impl Guess {
                 factors: factors.clone(),
                 functions: given_functions.iter().map(ToString::to_string).collect(),
                 values: values.clone(),
+                transposes,
             });
             names.opaque = opaque.clone().map(Opaque::from);
             let read: Vec<Vec<Equation>> = formulas.iter().map(|formula| stated(formula, &names)).collect();
             let hidden = hidden_functions(read.iter().flatten(), &given_functions);
             let defined = values_given(read.iter().flatten());
-            let are_known = matrices_in(read.iter().flatten()).is_subset(&factors.union(&called).cloned().collect());
+            let is_sign = !transposes && !members.t_is_letter && is_sign_alone(read.iter().flatten());
+            let are_known =
+                !is_sign && matrices_in(read.iter().flatten()).is_subset(&factors.union(&called).cloned().collect());
             if hidden.is_empty() && (rounds == 0 || (are_known && defined.is_subset(&values))) {
                 break (read, opaque);
             }
+            transposes |= is_sign;
             values.extend(defined);
             let new = matrices_in(read.iter().flatten());
             factors.extend(new.into_iter().filter(|letter| !called.contains(letter)));
@@ -955,6 +961,7 @@ impl Guess {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
             let binds = |node: &Tree| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some());
             if has_dependence(equation, &|name, by| self.is_value(name, by))
+                || is_with_and_without_time(equation)
                 || is_some(&mut is_rate)
                 || (is_some(&mut is_opaque_symbol) && is_some(&mut |node| binds(node)))
             {
@@ -1396,10 +1403,15 @@ fn called_with_time(tex: &str) -> Vec<Name> {
 /// The name that a text ends with.
 fn last_name(before: &str) -> Option<Name> {
     let starts = before.char_indices().rev().map(|(at, _)| at).take(40);
+    // a letter in bold is a name of its own
+    let bold = Names {
+        opaque: Some(Opaque::default()),
+        ..Names::default()
+    };
     // the longest that is one name with an accent or subscript, else its last letter
     let names = starts.filter_map(|at| {
         let text = before.get(at..)?;
-        let name = read_name(text, &Names::default()).ok()?;
+        let name = read_name(text, &bold).ok()?;
         let is_elementary = Elementary::named(&name).is_some();
         (!is_elementary && name.primes == 0 && name.mark.is_empty()).then_some(name)
     });
@@ -1464,6 +1476,45 @@ fn plain(tex: &str) -> String {
         .replace(r"\right", "")
         .split_whitespace()
         .collect()
+}
+
+/// Returns true if a letter stands at the running time and by itself, `A(t) = A`: as a function and as a value of it, or as two.
+fn is_with_and_without_time(equation: &Equation) -> bool {
+    let (mut called, mut alone) = (BTreeSet::new(), BTreeSet::new());
+    any_side(equation, &mut |node| {
+        match node {
+            Tree::Call(name, of, _) if matches!(&**of, Tree::Symbol(time, _) if time.to_string() == TIME) => {
+                called.insert(name.clone());
+            }
+            Tree::Symbol(name, _) => {
+                alone.insert(name.clone());
+            }
+            _ => {}
+        }
+        false
+    });
+    !called.is_disjoint(&alone)
+}
+
+/// Returns true if `T` stands above letters and brackets and nowhere else: as the sign of a transpose.
+fn is_sign_alone<'e>(equations: impl Iterator<Item = &'e Equation>) -> bool {
+    let is_sign = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == Name::plain("T"));
+    let (mut signs, mut all) = (0_usize, 0_usize);
+    for equation in equations {
+        any_side(equation, &mut |node| {
+            let exponent = match node {
+                Tree::RealPower(of, exponent, _) if !matches!(**of, Tree::Number(_)) => match &**exponent {
+                    Tree::Negate(inner) => Some(&**inner),
+                    exponent => Some(exponent),
+                },
+                _ => None,
+            };
+            signs += usize::from(exponent.is_some_and(is_sign));
+            all += usize::from(is_sign(node) || matches!(node, Tree::Call(name, ..) if *name == Name::plain("T")));
+            false
+        });
+    }
+    signs > 0 && signs == all
 }
 
 /// The capital letters that are transposed or inverted, or stand beside what is, or beside a letter in bold: `P \bm{d}`, `x^\top P`.

@@ -1,6 +1,6 @@
 //! The links of a chain on one line, each a formula of its own, as the rows of a display are.
 
-use super::scan::Formula;
+use super::scan::{Aside, Formula};
 use super::tex::{Outside, outside};
 use std::ops::Range;
 
@@ -218,6 +218,26 @@ fn links(tex: &str, statement: Range<usize>) -> Vec<Range<usize>> {
             start(number)..end
         })
         .collect()
+}
+
+/// Puts formulas within the text among the displays, where they are said.
+pub(super) fn merged(formulas: Vec<Formula>, asides: Vec<Aside>) -> Vec<Formula> {
+    let mut all: Vec<Formula> = Vec::with_capacity(formulas.len() + asides.len());
+    let mut asides = asides.into_iter().peekable();
+    let mut places: Vec<usize> = Vec::with_capacity(formulas.len());
+    let number = formulas.len();
+    for (at, formula) in formulas.into_iter().map(Some).chain([None]).enumerate() {
+        while let Some(aside) = asides.next_if(|aside| aside.after <= at.min(number)) {
+            let first = all.len();
+            all.push(Formula { first, ..aside.formula });
+        }
+        if let Some(formula) = formula {
+            places.push(all.len());
+            let first = places.get(formula.first).copied().unwrap_or_default();
+            all.push(Formula { first, ..formula });
+        }
+    }
+    all
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use crate::words::{Reader, transposed};
 use std::collections::BTreeSet;
 use texmath::{
     BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, holds_unknown, is_constant,
-    letters, names_in, speaks_of,
+    letters, names_in,
 };
 
 /// The letters that a document marks.
@@ -16,6 +16,8 @@ pub(super) struct Marks {
     complex: BTreeSet<Name>,
     /// Operators that are 1.
     identities: BTreeSet<Name>,
+    /// Letters that are transposed, or inverted in front of a factor.
+    transposed: BTreeSet<Name>,
     /// Letters that are divided by, as nobody divides by matrices.
     numbers: BTreeSet<Name>,
 }
@@ -84,6 +86,12 @@ fn is_capital(name: &Name) -> bool {
     name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase())
 }
 
+/// Returns true for `\Lambda`, whatever its subscript.
+fn is_large_greek(name: &Name) -> bool {
+    let is_large = name.base.chars().nth(1).is_some_and(|c| c.is_ascii_uppercase());
+    name.base.starts_with('\\') && is_large && is_letter(name)
+}
+
 /// Returns true for `\lambda`, without accents.
 fn is_small_greek(name: &Name) -> bool {
     let is_small = name.base.chars().nth(1).is_some_and(|c| c.is_ascii_lowercase());
@@ -99,12 +107,27 @@ fn is_set_apart(name: &Name) -> bool {
         .any(|sign| name.base.contains(sign));
     commands.any(|command| name.base.starts_with(command))
         || holds_unknown(&name.base)
+        || holds_bold_capital(&name.base)
         || (is_integral && holds_vectors())
+}
+
+/// Returns true for a term with a capital letter in bold in it, as a function of a matrix is.
+fn holds_bold_capital(base: &str) -> bool {
+    BOLD.iter().any(|bold| {
+        let mut places = base.match_indices(bold);
+        places.any(|(at, _)| {
+            let behind = base.get(at + bold.len()..).unwrap_or_default();
+            behind
+                .trim_start_matches(['{', ' '])
+                .starts_with(|c: char| c.is_ascii_uppercase())
+        })
+    })
 }
 
 /// Returns true for a letter in bold, script, with an arrow or a hat.
 fn is_typographic(name: &Name) -> bool {
-    is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &[r"\hat", r"\widehat"])
+    let accents = [r"\hat", r"\widehat", r"\mathcal", r"\mathscr", r"\mathfrak"];
+    is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &accents)
 }
 
 /// What a claim speaks of that its document marks as more than real numbers.
@@ -250,7 +273,11 @@ impl Marks {
                 any(side, &mut |node| {
                     marks.read(node);
                     if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
-                        if letters_of_matrices.contains(&name.base) && name.accents.is_empty() {
+                        let is_plain = name
+                            .accents
+                            .iter()
+                            .all(|accent| [r"\tilde", r"\mathfrak"].contains(&accent.as_str()));
+                        if letters_of_matrices.contains(&name.base) && is_plain {
                             marks.operators.insert(name.clone());
                         }
                         let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
@@ -269,10 +296,21 @@ impl Marks {
             .divisors
             .into_iter()
             .filter(|name| !is_typographic(name))
+            // who says that it is a matrix divides by another letter of the name
+            .filter(|name| {
+                !(name.accents.is_empty() && members.matrices.contains(&name.base)) && !marks.transposed.contains(name)
+            })
             .collect();
         marks.operators.retain(|name| !marks.numbers.contains(name));
         let identities = equations.iter().filter_map(|equation| identity_in(equation));
         marks.identities = identities.cloned().collect();
+        // a vector of currents or an intensity has a value
+        let has_value = |name: &Name| {
+            let is_own = |side: &Tree| matches!(side, Tree::Symbol(own, _) if own == name);
+            let others = equations.iter().filter(|equation| identity_in(equation) != Some(name));
+            others.map(|equation| &equation.left).any(is_own)
+        };
+        marks.identities.retain(|name| !has_value(name));
         for equation in &equations {
             let is_identity = |side: &Tree| matches!(side, Tree::Symbol(name, _) if marks.identities.contains(name));
             if [&equation.left, &equation.right].into_iter().any(is_identity) {
@@ -354,7 +392,12 @@ impl Marks {
                 }
                 self.complex.insert(plain);
             }
-            node if transposed(node).is_some() => transposed(node).into_iter().for_each(|of| self.mark_operators(of)),
+            node if transposed(node).is_some() => {
+                if let Some(of) = transposed(node) {
+                    self.mark_operators(of);
+                    names_in(of, &mut self.transposed);
+                }
+            }
             Tree::Product(factors) => {
                 // beside w^T stands a vector or a matrix
                 let is_transposed = |factor: &Tree| transposed(factor).is_some();
@@ -372,6 +415,7 @@ impl Marks {
                         && matches!(&**base, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()))
                     {
                         self.mark_operators(base);
+                        names_in(base, &mut self.transposed);
                     }
                 }
                 for (at, first) in factors.iter().enumerate() {
@@ -542,7 +586,8 @@ impl Marks {
         };
         let operators = found(&self.operators);
         let mut doubts = Vec::new();
-        let may_depend = operators.len() > 1;
+        // of one alone identities hold as of numbers, but no roots are taken and nothing is divided out
+        let may_depend = operators.len() > 1 || !stated.below.is_empty();
         if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
             doubts.push(format!(
                 "{}: real numbers, or matrices, vectors or operators, as the document marks them?",
@@ -557,30 +602,65 @@ impl Marks {
             ));
         }
         let all_of = |marked: &BTreeSet<Name>| -> Vec<String> {
-            let is_spoken_of = |name: &&Name| {
-                all().any(|equation| speaks_of(&equation.left, name) || speaks_of(&equation.right, name))
-            };
+            let mut spoken = BTreeSet::new();
+            for equation in all() {
+                for side in [&equation.left, &equation.right] {
+                    any(side, &mut |node| {
+                        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
+                            spoken.insert(name.clone());
+                        }
+                        false
+                    });
+                }
+            }
+            let is_spoken_of = |name: &&Name| spoken.contains(*name);
             marked.iter().filter(is_spoken_of).map(ToString::to_string).collect()
         };
         if doubts.is_empty() {
             return Marked::default();
         }
-        // a capital letter beside one that need not commute may be a matrix, but where it is divided by
+        // a capital letter beside one that need not commute may be a matrix, and any letter behind it a vector, but where it is
+        // divided by
         let mut operators = self.operators.clone();
-        for side in all().flat_map(|equation| [&equation.left, &equation.right]) {
-            any(side, &mut |node| {
-                if let Tree::Product(factors) = node
-                    && factors.iter().any(|factor| self.is_operator(factor))
-                {
-                    let letters = factors.iter().filter_map(letter_of_power);
-                    operators.extend(
-                        letters
-                            .filter(|name| is_capital(name) && !self.numbers.contains(name))
-                            .cloned(),
-                    );
-                }
-                false
-            });
+        let speaks_of_operators = |tree: &Tree| {
+            any(
+                tree,
+                &mut |node| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if self.operators.contains(name)),
+            )
+        };
+        // e^{A t} x
+        let is_of_e = |factor: &Tree| {
+            matches!(factor, Tree::RealPower(of, exponent, _)
+                if matches!(&**of, Tree::Symbol(name, _) if name.base == "e") && speaks_of_operators(exponent))
+        };
+        let is_exponential = |term: &Tree| matches!(term, Tree::Product(factors) if factors.iter().any(is_of_e));
+        for equation in all() {
+            let sides = [&equation.left, &equation.right];
+            if !sides.iter().any(|side| {
+                terms(side)
+                    .into_iter()
+                    .any(|term| self.is_operator(term) || is_exponential(term))
+            }) {
+                continue;
+            }
+            for side in sides {
+                any(side, &mut |node| {
+                    let Tree::Product(factors) = node else { return false };
+                    let is_first = |factor: &Tree| {
+                        speaks_of_operators(factor)
+                            || letter_of_power(factor).is_some_and(|name| is_capital(name) || is_large_greek(name))
+                    };
+                    let first = factors.iter().position(is_first);
+                    for (at, factor) in factors.iter().enumerate() {
+                        let may_be = |name: &&Name| {
+                            let is_behind = first.is_some_and(|first| at >= first);
+                            is_behind && !is_constant(name) && !self.numbers.contains(*name)
+                        };
+                        operators.extend(letter_of_power(factor).filter(may_be).cloned());
+                    }
+                    false
+                });
+            }
         }
         Marked {
             operators: all_of(&operators),

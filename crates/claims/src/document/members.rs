@@ -7,6 +7,10 @@ use std::collections::BTreeSet;
 pub(super) struct Members {
     pub complex: BTreeSet<String>,
     pub operators: BTreeSet<String>,
+    /// Those of them that are called matrices.
+    pub matrices: BTreeSet<String>,
+    /// Whether the text speaks of `T` by itself, as of a temperature or a period.
+    pub t_is_letter: bool,
 }
 
 /// The most characters before and behind `\in` that letters and their set take.
@@ -31,7 +35,11 @@ const OF_MATRICES: [&str; 14] = [
 ];
 
 /// Words for what does not commute, and for complex numbers (true), beside the letters that they are said of.
-const WORDS: [(&str, bool); 19] = [
+const WORDS: [(&str, bool); 23] = [
+    ("vector", false),
+    ("positive definite", false),
+    ("semidefinite", false),
+    ("nilpotent", false),
     ("matrix", false),
     ("matrices", false),
     ("Matrices", false),
@@ -53,6 +61,9 @@ const WORDS: [(&str, bool); 19] = [
     ("wave function", true),
 ];
 
+/// Words for matrices and nothing else.
+const MATRICES: [&str; 3] = ["matrix", "matrices", "Matrices"];
+
 impl Members {
     /// Collects what a text says of its letters, within formulas and between them.
     pub fn of_text(text: &str) -> Self {
@@ -63,9 +74,14 @@ impl Members {
                 false => &mut members.operators,
             };
             for (at, _) in text.match_indices(word) {
-                marked.extend(letters_beside(text, at, at + word.len()));
+                let beside = letters_beside(text, at, at + word.len());
+                if MATRICES.contains(&word) {
+                    members.matrices.extend(beside.iter().cloned());
+                }
+                marked.extend(beside);
             }
         }
+        members.t_is_letter = text.contains("$T$") || text.contains(r"\(T\)");
         let has_determinants = text.contains("eterminant");
         for formula in inline(text) {
             // [x, p] = i \hbar, D = \frac{d}{dx}
@@ -139,6 +155,7 @@ impl Members {
             let has_power = set.split(' ').next().is_some_and(|set| set.contains('^'));
             if is_group || ((is_complex || is_real) && has_power) {
                 members.operators.extend(letters(before));
+                members.matrices.extend(letters(before));
             } else if is_complex {
                 members.complex.extend(letters(before));
             }
@@ -204,14 +221,18 @@ fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
         .get(..first_end(behind).unwrap_or(behind.len()))
         .unwrap_or_default();
     let is_list = |part: &&str| {
-        let letter = |part: &str| letters(part).count() == 1;
+        // R_x as R
+        let letter = |part: &str| letters(part.split('_').next().unwrap_or_default()).count() == 1;
         part.split(',')
             .all(|part| letter(part) && !part.contains(['=', '^', '(', '+', '<', '>']))
     };
     // `$A$ and $B$ are matrices`: every second piece, counted from the word on either side
     let before = before.rsplit('$').skip(1).step_by(2);
     let behind = behind.split('$').skip(1).step_by(2);
-    before.chain(behind).filter(is_list).flat_map(letters).collect()
+    let listed = before.chain(behind).filter(is_list).flat_map(|list| list.split(','));
+    listed
+        .flat_map(|part| letters(part.split('_').next().unwrap_or_default()))
+        .collect()
 }
 
 /// Returns the first characters of a text.

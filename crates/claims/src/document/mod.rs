@@ -109,7 +109,7 @@ impl Document {
     pub fn read_below(text: &str, preamble: &str, markup: Markup, include: Include<'_>) -> Self {
         let mut scan = Scan::new(text, preamble, markup, include);
         if scan.comments.is_empty() {
-            scan.formulas = links::parted(asides::merged(scan.formulas, scan.asides), &scan.text);
+            scan.formulas = links::parted(links::merged(scan.formulas, scan.asides), &scan.text);
         }
         let place = |at: usize| Spanned::new(at..at, String::new());
         let lines = Text::of_files(&scan.text, &scan.files);
@@ -518,7 +518,7 @@ fn entries(
                 with: Vec::new(),
                 assume: Vec::new(),
                 follows_from: Some(Vec::new()),
-                expect: Verdict::default(),
+                expect: own.expect.unwrap_or_default(),
                 names: Vec::new(),
                 guessed: Vec::new(),
                 standing: Standing::Said,

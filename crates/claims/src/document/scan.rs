@@ -1,7 +1,7 @@
 //! A document from its beginning to its end: its displays, its comments, its macros, the files that it includes.
 
 use super::super::fault::File;
-use super::asides::{self, Aside};
+use super::asides;
 use super::comment::{is_misspelt, is_of_document};
 use super::macros::{DEFINING, Macros};
 use super::markdown::unescaped;
@@ -65,6 +65,15 @@ pub(super) struct Formula {
     pub is_of_display: bool,
     /// Whether it stands within the text.
     pub is_aside: bool,
+}
+
+/// A formula within the text, and how many formulas stand before it: `where` is said of the display before it.
+#[derive(Clone, Debug)]
+pub(super) struct Aside {
+    pub formula: Formula,
+    /// Whether it is said of the display before it.
+    pub is_behind: bool,
+    pub after: usize,
 }
 
 /// A comment that begins with `audit:`, or is meant to.
