@@ -1983,6 +1983,41 @@ fn what_holds_of_matrices_without_entries_is_proved_in_a_document_without_commen
 }
 
 #[test]
+fn what_the_text_says_where_words_announce_it_is_given() {
+    let text = r"The mean is
+\begin{equation} m = \frac{a N_t + b N_c}{N}, \end{equation}
+where $N = N_t + N_c$ and $p = \frac{N_t}{N}$. Hence
+\begin{equation} m = a p + b (1 - p) . \end{equation}
+If $a = b$ we have
+\begin{equation} m = a . \end{equation}
+Let $u = x^2 + 1$. Then
+\begin{equation} (x^2 + 1)^3 = u^3 . \end{equation}
+";
+    let found = decisions(&document(text, &[]));
+    let verdicts: Vec<Verdict> = found.iter().map(|row| row.verdict).collect();
+    let [given, proved, open] = [Verdict::Given, Verdict::Proved, Verdict::Undecided];
+    // what holds in a case alone is not taken
+    assert_eq!(verdicts, [given, proved, open, proved]);
+    assert!(found[1].reason.contains("text of line 3"), "{}", found[1].reason);
+}
+
+#[test]
+fn sums_of_unknown_length_are_linear() {
+    let text = r"\begin{equation} \bar x = \frac1n \sum_{i=1}^n x_i \end{equation}
+\begin{equation} \sum_{i=1}^n (x_i - \bar x)^2 = \sum_{j=1}^n x_j^2 - n \bar x^2 \end{equation}
+\begin{equation} \sum_{i=1}^n \sum_{j=1}^n x_i y_j = \left( \sum_{i=1}^n x_i \right) \sum_{j=1}^n y_j \end{equation}
+\begin{equation} \sum_{i=1}^n \frac{1}{i (i+1)} = \frac{n}{n+1} \end{equation}
+\begin{equation} \sum_{i=1}^n x_i y_i = \sum_{i=1}^n x_i \sum_{i=1}^n y_i \end{equation}
+\begin{equation} \sum_{i=1}^n x_i^2 = \left( \sum_{i=1}^n x_i \right)^2 \end{equation}
+\begin{equation} \sum_{i=1}^n x_i = n x_i \end{equation}
+";
+    let found = decisions(&document(text, &[]));
+    let is_proved: Vec<bool> = found.iter().map(|row| row.verdict == Verdict::Proved).collect();
+    let reasons: Vec<&str> = found.iter().map(|row| row.reason.as_str()).collect();
+    assert_eq!(is_proved, [false, true, true, true, false, false, false], "{reasons:?}");
+}
+
+#[test]
 fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
     for (before, claim) in [
         ("Let $A$ and $B$ be matrices.", r"(A + B)^2 = A^2 + 2 A B + B^2"),
@@ -2005,6 +2040,64 @@ fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
         ),
         (r"\[ \vec{a} \cdot \vec{b} = k \]", r"\vec{a} = \frac{k}{\vec{b}}"),
         (r"\[ x^\top A x = 1 \]", r"A x x^\top = 1"),
+        // functions of time
+        (
+            r"\[ \mathbf{C}(t) = \mathbf{A}(t) \mathbf{B}(t) \]",
+            r"\mathbf{C}(t) = \mathbf{B}(t) \mathbf{A}(t)",
+        ),
+        (
+            r"\[ \vec{L}(t) = \vec{r}(t) \times \vec{p}(t) \]",
+            r"\vec{L}(t) = \vec{p}(t) \times \vec{r}(t)",
+        ),
+        (r"\[ V(t) = x(t)^\top P x(t) \]", r"V(t) = P x(t)^\top x(t)"),
+        // who divides by one of that name elsewhere
+        (
+            r"Let $A$ and $B$ be matrices. \[ C = A B \] \[ z = \frac{q}{A} \]",
+            "C = B A",
+        ),
+        (r"\[ A^\top P + P A = -Q \] \[ z = \frac{q}{2 A} \]", "2 A P = -Q"),
+        // zero divisors and roots of one matrix
+        (r"\[ \mathbf{N}^2 = 0 \]", r"\mathbf{N} = 0"),
+        (r"\[ \mathbf{R}^3 = 1 \]", r"\mathbf{R} = 1"),
+        // nothing is divided by a vector
+        (
+            r"\[ \mathbf{F} = k \mathbf{x} \]",
+            r"\frac{1}{k} = \frac{\mathbf{x}}{\mathbf{F}}",
+        ),
+        (r"\[ \mathbf{a} = s \mathbf{b} \]", r"s = \mathbf{a} \mathbf{b}^{-1}"),
+        (
+            r"\[ A = \begin{pmatrix} a & b \\ c & d \end{pmatrix} \] \[ \mathbf{y} = A \mathbf{x} \]",
+            r"\mathbf{y} = \mathbf{x} A",
+        ),
+        (
+            r"\[ \mathbf{C} = \mathbf{A} (\mathbf{B} \mathbf{D})^{-1} \]",
+            r"\mathbf{C}^{-1} = \mathbf{A} (\mathbf{B} \mathbf{D})",
+        ),
+        (
+            r"\[ \mathbf{C}_{k+1} = \mathbf{A}_{k+1} \mathbf{B}_{k+1}^2 \]",
+            r"\mathbf{C}_{k+1} = \mathbf{B}_{k+1}^2 \mathbf{A}_{k+1}",
+        ),
+        // an upper index, unit vectors, a vector of currents
+        (
+            r"\[ \mathbf{v}^1 = \mathbf{R}^1_0 \mathbf{v}^0 \]",
+            r"\mathbf{v}^1 = \mathbf{R}^1_0",
+        ),
+        (
+            r"\[ \hat n_1 = \hat e_1 \times \hat e_2 \]",
+            r"\hat n_1 = \hat e_1 \cdot \hat e_2",
+        ),
+        (
+            r"\[ \mathbf{I} = \mathbf{Y} \mathbf{V} \]",
+            r"\mathbf{I} \mathbf{A} = \mathbf{A}",
+        ),
+        // letters beside what is marked
+        ("Let $A$ be a matrix. \\[ C = A B \\]", "C = B A"),
+        ("Let $A$ be a matrix. \\[ y = A x \\]", "y = x A"),
+        (
+            r"Let $A$ be the system matrix. \[ \dot{x} = A x + B u \] \[ u = -K x \]",
+            r"\dot{x} = (A - K B) x",
+        ),
+        (r"\[ A(t) = U^\dagger A U \]", "A(t) = A"),
     ] {
         let text = format!("{before}\n\\[ {claim} \\]\n");
         let found = decisions(&document(&text, &[]));

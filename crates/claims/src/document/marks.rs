@@ -298,7 +298,8 @@ impl Marks {
             .filter(|name| !is_typographic(name))
             // who says that it is a matrix divides by another letter of the name
             .filter(|name| {
-                !(name.accents.is_empty() && members.matrices.contains(&name.base)) && !marks.transposed.contains(name)
+                let is_matrix = name.accents.is_empty() && members.matrices.contains(&name.base);
+                !is_matrix && !marks.transposed.contains(name)
             })
             .collect();
         marks.operators.retain(|name| !marks.numbers.contains(name));
