@@ -1934,7 +1934,7 @@ fn a_root_file_that_includes_itself_many_times_is_read_once() {
 }
 
 /// Matrices and vectors of which no entry is known, in documents without comments: what holds of all of them.
-const OF_MATRICES: [(&str, &str); 12] = [
+const OF_MATRICES: [(&str, &str); 17] = [
     (
         r"Let $X$ be a matrix.",
         r"(X^\top X + \mu I)^{-1} X^\top = X^\top (X X^\top + \mu I)^{-1} \[ I A = A \]",
@@ -1965,6 +1965,14 @@ const OF_MATRICES: [(&str, &str); 12] = [
         r"\vec{u} \times \vec{b} = \vec{a} \times \vec{b}",
     ),
     (r"Let $A$ and $B$ be operators.", r"A B - B A + B A = A B"),
+    (r"\[ P = X (X^\top X)^{-1} X^\top \] \[ Q = I - P \]", r"Q X = 0"),
+    (r"Let $A$ be a matrix.", r"(A - \lambda I) v = A v - \lambda v"),
+    (r"\[ A = Q R \] \[ Q^\top Q = I \]", r"A^\top A = R^\top R"),
+    (
+        r"\[ f = (y - X b)^\top (y - X b) \]",
+        r"f = y^\top y - 2 b^\top X^\top y + b^\top X^\top X b",
+    ),
+    (r"Let $A$ be a matrix.", r"x^\top A x = \frac12 x^\top (A + A^\top) x"),
 ];
 
 #[test]

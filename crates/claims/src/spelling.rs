@@ -20,7 +20,10 @@ pub(super) fn refuse_two_spellings(raw: &[RawEntry], entries: &mut [Entry], symb
     }
     for (raw, entry) in raw.iter().zip(entries) {
         let mut own = raw.formulas().flat_map(|tex| letters(tex, &symbols.names));
-        if let Some(shapes) = own.find_map(|(letter, _)| printed.get(&letter)) {
+        // where letters in bold are names of their own, only those that are not told apart are read as others
+        let is_told = |letter: &str, shape: &str| symbols.names.opaque.is_some() && letter == shape;
+        let found = own.find_map(|(letter, shape)| printed.get(&letter).filter(|_| !is_told(&letter, &shape)));
+        if let Some(shapes) = found {
             let shapes: Vec<String> = shapes.iter().map(|shape| format!("`{shape}`")).collect();
             let problem = format!(
                 "{} are read as one letter, and both are printed: call one of them by another letter",

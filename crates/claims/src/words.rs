@@ -56,6 +56,21 @@ impl Word {
         }
     }
 
+    /// Returns true if this is a number: a column transposed, matrices, a column.
+    fn is_form(&self) -> bool {
+        match self.letters.as_slice() {
+            [first, inner @ .., last] => {
+                let is_column = |letter: &Letter| is_small(&letter.name);
+                first.is_transposed
+                    && is_column(first)
+                    && is_column(last)
+                    && !last.is_transposed
+                    && !inner.iter().any(is_column)
+            }
+            _ => false,
+        }
+    }
+
     /// Counts its factors under an arrow: a product of these is a number, and not associative.
     pub fn vectors(&self) -> usize {
         let is_arrow = |letter: &&Letter| ARROWS.iter().any(|arrow| letter.name.contains(arrow));
@@ -191,6 +206,21 @@ impl WordQuestion {
         let mut claims = Vec::new();
         for claim in &statements.claims {
             claims.push(reader.difference(claim).filter(|_| claim.relation == Relation::Equal)?);
+        }
+        // x^T A y is a number, and its own transpose
+        let words = claims.iter().chain(&givens).flat_map(Words::terms);
+        let forms: BTreeSet<Vec<Letter>> = words
+            .filter(|(word, _)| word.is_form())
+            .map(|(word, _)| word.letters.clone())
+            .collect();
+        for letters in forms {
+            let word = Word {
+                scalars: BTreeMap::new(),
+                letters,
+            };
+            let form = Words::of(word, Rational::one());
+            let given = form.clone().plus(&form.transposed().negated());
+            givens.extend((!given.is_zero()).then_some(given));
         }
         givens.extend(reader.inverses());
         // an inverse that nothing speaks of before
@@ -646,6 +676,16 @@ fn letter(name: &str) -> Words {
         },
         Rational::one(),
     )
+}
+
+/// Returns true for a small letter, in bold or not, with whatever stands at it: by custom it is a column.
+fn is_small(name: &str) -> bool {
+    let of = BOLD.iter().find_map(|bold| name.strip_prefix(bold)).unwrap_or(name);
+    let of = of.trim_start_matches(['{', ' ', '\\']);
+    let ends = of.find(['_', '^', '}']).unwrap_or(of.len());
+    let letter = of.get(..ends).unwrap_or_default();
+    let is_name = letter.chars().count() == 1 || texmath::letter(&format!("\\{letter}")).is_some();
+    is_name && letter.starts_with(|c: char| c.is_ascii_lowercase())
 }
 
 /// Returns true for a small letter in bold, or one under an arrow: it is a vector, and no matrix.

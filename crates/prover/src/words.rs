@@ -283,8 +283,8 @@ impl Search {
 
 /// Numbers for all letters of which what is given holds, each solved for a letter that it is linear in.
 fn point(question: &WordQuestion) -> Option<BTreeMap<String, Rational>> {
-    // inverses of letters before those of sums of them
-    let mut givens: Vec<&Words> = question.givens.iter().collect();
+    // inverses, which are given last, before the rest, and those of letters before those of sums of them
+    let mut givens: Vec<&Words> = question.givens.iter().rev().collect();
     givens.sort_by_key(|given| names(given).len());
     (0..MOST_CHOICES).find_map(|seed| {
         let mut choose = Choice(seed);

@@ -841,7 +841,8 @@ impl Guess {
     /// The letters of a side once definitions are put in.
     fn leaves(&self, side: &Tree) -> BTreeSet<Name> {
         let mut names = self.reached(&letters_of(side));
-        names.retain(|name| !is_constant(name) && !self.definitions.contains_key(name));
+        let is_known = |name: &Name| is_constant(name) || self.marks.is_identity(name);
+        names.retain(|name| !is_known(name) && !self.definitions.contains_key(name));
         names
     }
 

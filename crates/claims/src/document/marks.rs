@@ -4,8 +4,8 @@ use super::members::{Members, contains_unit, j_is_unit};
 use crate::words::{Reader, transposed};
 use std::collections::BTreeSet;
 use texmath::{
-    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, holds_unknown, is_constant,
-    letters, names_in,
+    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, base_alone, holds_unknown,
+    is_constant, letters, names_in,
 };
 
 /// The letters that a document marks.
@@ -367,8 +367,55 @@ impl Marks {
             .operators
             .retain(|name| !is_constant(name) && !marks.numbers.contains(name));
         marks.complex.retain(|name| !is_constant(name));
-        marks.identities.retain(|name| marks.operators.contains(name));
+        let added = marks.identities_beside_matrices(&equations);
         marks
+            .identities
+            .extend(added.into_iter().filter(|name| !has_value(name)));
+        marks.operators.extend(marks.identities.iter().cloned());
+        marks
+    }
+
+    /// The letters that are called like the identity and are added to matrices, `A - \lambda I`, where no equation has them beside
+    /// numbers alone.
+    fn identities_beside_matrices(&self, equations: &[&Equation]) -> BTreeSet<Name> {
+        let is_one = |term: &Tree| match term {
+            Tree::Symbol(name, _) => is_called_identity(name).then(|| name.clone()),
+            Tree::Product(factors) => match factors.last() {
+                Some(Tree::Symbol(name, _)) if is_called_identity(name) => Some(name.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let (mut found, mut beside_numbers) = (BTreeSet::new(), BTreeSet::new());
+        for equation in equations {
+            let (mut sums, mut names) = (Vec::new(), BTreeSet::new());
+            for side in [&equation.left, &equation.right] {
+                collect_sums(side, &mut sums);
+                names_in(side, &mut names);
+            }
+            for sum in &sums {
+                let plain = |term: &Tree| match term {
+                    Tree::Negate(of) => (**of).clone(),
+                    term => term.clone(),
+                };
+                let terms: Vec<Tree> = sum.iter().map(|term| plain(term)).collect();
+                let has_matrix = terms
+                    .iter()
+                    .any(|term| is_one(term).is_none() && self.is_operator(term));
+                found.extend(terms.iter().filter_map(is_one).filter(|_| has_matrix));
+            }
+            let is_alone = !names
+                .iter()
+                .any(|name| self.operators.contains(name) && !is_called_identity(name));
+            beside_numbers.extend(names.into_iter().filter(|name| is_alone && is_called_identity(name)));
+        }
+        found.retain(|name| !beside_numbers.contains(name));
+        found
+    }
+
+    /// Returns true if a letter is the identity.
+    pub fn is_identity(&self, name: &Name) -> bool {
+        self.identities.contains(name)
     }
 
     /// Returns true if a letter is marked.
@@ -705,14 +752,23 @@ fn has_accent(name: &Name, accents: &[&str]) -> bool {
     name.accents.iter().any(|accent| accents.contains(&accent.as_str()))
 }
 
+/// Returns true for `I` and `\mathbf{I}`, with nothing at it.
+fn is_called_identity(name: &Name) -> bool {
+    let bases = [
+        "I",
+        r"\mathbf{I}",
+        r"\mathbb{I}",
+        r"\mathbb{1}",
+        r"\bm{I}",
+        r"\boldsymbol{I}",
+        r"\mathrm{I}",
+    ];
+    bases.contains(&name.base.as_str()) && *name == base_alone(name)
+}
+
 /// Returns the letter that an equation says is 1: `A A^{-1} = I`, `Q^T Q = I`, `A I = A`.
 fn identity_in(equation: &Equation) -> Option<&Name> {
-    let is_named = |name: &Name| {
-        matches!(
-            name.base.as_str(),
-            "I" | r"\mathbf{I}" | r"\mathbb{I}" | r"\mathbb{1}" | r"\bm{I}" | r"\boldsymbol{I}" | r"\mathrm{I}"
-        )
-    };
+    let is_named = is_called_identity;
     let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
     sides.into_iter().find_map(|(side, other)| match (side, other) {
         (Tree::Symbol(name, _), Tree::Product(factors)) if is_named(name) => match factors.as_slice() {
