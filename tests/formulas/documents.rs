@@ -2026,6 +2026,27 @@ fn sums_of_unknown_length_are_linear() {
 }
 
 #[test]
+fn least_squares_and_a_filter_are_proved_row_by_row() {
+    let found = document(include_str!("../papers/matrices.tex"), &[]);
+    let sheet = found.sheet(&vocabulary()).unwrap();
+    let decided = prove::audit(&sheet, &Options::default());
+    let of = |verdict: Verdict| -> Vec<&str> {
+        let rows = decided.iter().filter(|row| row.verdict == verdict);
+        rows.map(|row| row.label.as_str()).collect()
+    };
+    assert_eq!(of(Verdict::Given), ["1", "2", "4", "9", "10"]);
+    assert_eq!(of(Verdict::Proved), ["3", "5", "6", "7.1", "7.2", "8", "11", "12"]);
+    assert_eq!(of(Verdict::Undecided), ["13", "14"]);
+    // each has a script, which .ci/proofs runs
+    for label in of(Verdict::Proved) {
+        let position = sheet.find(label).unwrap();
+        let scripts = prove::scripts(&sheet, position, &Options::default());
+        assert_eq!(scripts.len(), 1, "{label}");
+        assert!(scripts[0].contains("DATA = {\"words\""), "{label}");
+    }
+}
+
+#[test]
 fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
     for (before, claim) in [
         ("Let $A$ and $B$ be matrices.", r"(A + B)^2 = A^2 + 2 A B + B^2"),

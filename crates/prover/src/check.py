@@ -1859,8 +1859,76 @@ def check_domains(statement, readings):
 # --- all of it -------------------------------------------------------------------------------------------------------
 
 
+# --- letters that need not commute -----------------------------------------------------------------------------------
+
+
+def words_product(*words):
+    """The product of words: each the powers of what commutes, and what keeps its place, as [name, is transposed]."""
+    powers, letters = {}, []
+    for scalars, others in words:
+        for name, power in scalars:
+            powers[name] = powers.get(name, 0) + power
+        letters.extend((name, bool(turned)) for name, turned in others)
+    return tuple(sorted((name, power) for name, power in powers.items() if power)), tuple(letters)
+
+
+def words_sum(terms):
+    total = {}
+    for coefficient, word in terms:
+        total[word] = total.get(word, 0) + coefficient
+    return {word: coefficient for word, coefficient in total.items() if coefficient}
+
+
+def words_value(words, point):
+    total = Fraction(0)
+    for (scalars, letters), coefficient in words.items():
+        for name, power in scalars:
+            coefficient *= point[name] ** power
+        for name, _ in letters:
+            coefficient *= point[name]
+        total += coefficient
+    return total
+
+
+def check_words(data):
+    """Each claim is its line, a sum of multiples of what is given and of lines before; what is given holds of numbers."""
+
+    def read(terms):
+        return words_sum((Fraction(number), words_product((scalars, letters))) for number, scalars, letters in terms)
+
+    def turned(words):
+        return {(scalars, tuple((name, not is_turned) for name, is_turned in reversed(letters))): coefficient for (scalars, letters), coefficient in words.items()}
+
+    claims, givens = [read(claim) for claim in data["claims"]], [read(given) for given in data["givens"]]
+    every = [word for words in claims + givens for word in words]
+    arrows = any("\\vec" in name or "overrightarrow" in name for _, letters in every for name, _ in letters)
+    divided = {name for scalars, _ in every for name, power in scalars if power < 0}
+    lines = []
+    for number, line in enumerate(data["lines"]):
+        terms = []
+        for coefficient, front, kind, source, behind in line:
+            require(not arrows or not (front[1] or behind[1]), "line %d multiplies by a word what has vectors" % number)
+            new = {name for scalars, _ in (front, behind) for name, power in scalars if power < 0} - divided
+            require(not new, "line %d divides by what nothing else does" % number)
+            of = lines[source] if kind == "line" else givens[source]
+            of = turned(of) if kind == "transposed" else of
+            terms.extend((Fraction(coefficient) * own, words_product(front, word, behind)) for word, own in of.items())
+        lines.append(words_sum(terms))
+    require(claims and len(claims) == len(data["claim_lines"]), "there is not one line for each claim")
+    for claim, line in zip(claims, data["claim_lines"]):
+        require(lines[line] == claim, "a line is not the claim")
+    point = {name: Fraction(value) for name, value in data["point"].items()}
+    for given in givens:
+        require(words_value(given, point) == 0, "what is given does not hold at the point")
+    for claim in claims:
+        words_value(claim, point)
+    return "proved: what is claimed is a combination of what is given, in %d lines" % len(lines)
+
+
 def check(data, readings=None):
     """Refuses what is not shown; else says in a sentence what is."""
+    if "words" in data:
+        return check_words(data["words"])
     mpmath.mp.dps = DIGITS
     sys.setrecursionlimit(20000)
     statement = Statement(data)

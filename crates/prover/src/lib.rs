@@ -47,7 +47,7 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Reduced, Rule, Sheet, Standing, Verdict, WordQuestion, other_ways, reduced, reduced_by_cases,
+    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, WordQuestion, other_ways, reduced, reduced_by_cases,
     thin_domains, values,
 };
 use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side};
@@ -147,6 +147,27 @@ fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
     })
 }
 
+/// What proves a claim as one about letters that need not commute, with the rules by which it was read.
+fn in_words(sheet: &Sheet, position: usize) -> Option<(WordQuestion, kernel::WordProof, Rules)> {
+    let entry = sheet.entries.get(position)?;
+    let statements = Decision::without_search(sheet, position).ok()?;
+    let question = WordQuestion::of(&statements, &entry.operators)?;
+    let found = words::proof(&question)?;
+    Some((question, found, statements.rules))
+}
+
+/// Returns what proves the claim at a position as one about letters that need not commute, where it is proved so.
+pub(crate) fn proof_in_words(
+    sheet: &Sheet,
+    position: usize,
+    options: &Options,
+) -> Option<(WordQuestion, kernel::WordProof)> {
+    let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
+    let is_one = decision.verdict == Verdict::Proved && decision.rules.contains(&Rule::Words);
+    let (question, found, _) = is_one.then(|| in_words(sheet, position)).flatten()?;
+    Some((question, found))
+}
+
 /// The search for what decides one claim.
 struct Search<'a> {
     /// The decision before anything is known.
@@ -229,16 +250,13 @@ impl<'a> Search<'a> {
 
     /// Decides a claim as one about letters that need not commute; nothing where it is not proved so.
     fn in_words(&mut self, sheet: &Sheet, position: usize) -> Option<Decision> {
-        let entry = sheet.entries.get(position)?;
-        let statements = Decision::without_search(sheet, position).ok()?;
-        let question = WordQuestion::of(&statements, &entry.operators)?;
-        let found = words::proof(&question)?;
+        let (question, found, rules) = in_words(sheet, position)?;
         let proved = kernel::prove_in_words(&question, &found).ok()?;
         let mut decision = self.start.clone();
         decision.reason.clone_from(&self.reason);
         decision.accept_proofs(&[proved]);
         decision.provide(question.provided);
-        decision.rules.extend(statements.rules);
+        decision.rules.extend(rules);
         decision.rules.insert(Rule::Words);
         Some(decision)
     }

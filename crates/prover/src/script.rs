@@ -8,13 +8,14 @@
 //! is an error in Python.
 
 use super::formula::{Formulas, list, quoted};
-use super::{Options, decided};
+use super::{Options, decided, proof_in_words};
 use crate::checksum::Checksum;
-use claims::{Goal, Sheet, Verdict};
+use claims::{Goal, Letter, Sheet, Verdict, Word, Words};
 use kernel::{
     Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property, Quantity,
-    Question, Statement, Summand, Symbol, Term, Terms, With, Witness,
+    Question, Statement, Summand, Symbol, Term, Terms, With, Witness, WordMultiple, WordSource,
 };
+use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
 use texmath::Name;
 
@@ -55,7 +56,81 @@ pub struct Decided {
 
 /// The scripts of the claim at a position, one for each question that is decided.
 pub fn scripts(sheet: &Sheet, position: usize, options: &Options) -> Vec<String> {
-    decided(sheet, position, options).iter().map(Decided::script).collect()
+    let decided = decided(sheet, position, options);
+    let scripts: Vec<String> = decided.iter().map(Decided::script).collect();
+    match scripts.is_empty() {
+        true => script_of_words(sheet, position, options).into_iter().collect(),
+        false => scripts,
+    }
+}
+
+/// The first lines of a script about a claim.
+fn head(label: &str, printed: &str, verdict: &str) -> Vec<String> {
+    vec![
+        GUARD.to_string(),
+        format!("# Equation ({}), {verdict} by vibro-audit.", one_line(label)),
+        "# This script checks it again, with SymPy and mpmath (pip install sympy mpmath) and nothing else:".into(),
+        "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
+        "#".into(),
+        format!("# claim:  {}", one_line(printed)),
+    ]
+}
+
+/// The script of a claim that is proved of letters that need not commute.
+fn script_of_words(sheet: &Sheet, position: usize, options: &Options) -> Option<String> {
+    let (question, proof) = proof_in_words(sheet, position, options)?;
+    let entry = sheet.entries.get(position)?;
+    let word = |word: &Word| {
+        let scalars = word
+            .scalars
+            .iter()
+            .map(|(name, power)| format!("[{}, {power}]", quoted(name)));
+        let turned = |letter: &Letter| u8::from(letter.is_transposed);
+        let letters = word.letters.iter();
+        let letters = letters.map(|letter| format!("[{}, {}]", quoted(&letter.name), turned(letter)));
+        format!("{}, {}", list(scalars), list(letters))
+    };
+    let number = |number: &Rational| quoted(&number.to_string());
+    let sum = |words: &Words| {
+        list(
+            words
+                .terms()
+                .map(|(own, coefficient)| format!("[{}, {}]", number(coefficient), word(own))),
+        )
+    };
+    let multiple = |multiple: &WordMultiple| {
+        let (kind, source) = match multiple.of {
+            WordSource::Given(source) => ("given", source),
+            WordSource::Transposed(source) => ("transposed", source),
+            WordSource::Line(source) => ("line", source),
+        };
+        let (front, behind) = (word(&multiple.front), word(&multiple.behind));
+        let coefficient = number(&multiple.coefficient);
+        format!("[{coefficient}, [{front}], {}, {source}, [{behind}]]", quoted(kind))
+    };
+    let point = proof
+        .point
+        .iter()
+        .map(|(name, value)| format!("{}: {}", quoted(name), number(value)));
+    let fields = [
+        field("claims", list(question.claims.iter().map(sum))),
+        field("givens", list(question.givens.iter().map(sum))),
+        field(
+            "lines",
+            list(proof.lines.iter().map(|line| list(line.iter().map(multiple)))),
+        ),
+        field("claim_lines", integers(proof.claims.iter())),
+        field("point", format!("{{{}}}", point.collect::<Vec<_>>().join(", "))),
+    ];
+    let mut lines = head(&entry.label, &entry.tex.tex, "proved");
+    lines.push("# of letters that need not commute, as matrices: products keep their order. What is given are the formulas that it".into());
+    lines.push("# follows from, and that each inverse is one; that these say the formulas is trusted.".into());
+    let checker = CHECKER.strip_suffix(SERVES).unwrap_or(CHECKER);
+    let data = fields.join(",\n    ");
+    Some(sealed(&format!(
+        "{}\n\nDATA = {{\"words\": {{\n    {data},\n}}}}\n\nREADINGS = None\n\n{checker}",
+        lines.join("\n")
+    )))
 }
 
 /// The longest name of a file without its ending: file systems allow 255 bytes.
@@ -89,14 +164,7 @@ impl Decided {
             Found::Proved { .. } => "proved",
             Found::Refuted { .. } => "refuted",
         };
-        let mut lines = vec![
-            GUARD.to_string(),
-            format!("# Equation ({}), {verdict} by vibro-audit.", one_line(&self.label)),
-            "# This script checks it again, with SymPy and mpmath (pip install sympy mpmath) and nothing else:".into(),
-            "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
-            "#".into(),
-        ];
-        lines.push(format!("# claim:  {}", one_line(&self.printed)));
+        let mut lines = head(&self.label, &self.printed, verdict);
         let rules = &self.goal.statements.rules;
         if !rules.is_empty() {
             let rules: Vec<String> = rules.iter().map(ToString::to_string).collect();

@@ -579,9 +579,9 @@ impl Guess {
         }
     }
 
-    /// Takes what a formula within the text says, and returns what it is to those that follow from it; nothing where it is no
-    /// equation of letters that are read.
-    pub fn aside(&mut self, at: usize, label: &str) -> Option<Role> {
+    /// Takes what a formula within the text says, and returns what it is to those that follow from it, and what it follows from
+    /// itself; nothing where it is no equation of letters that are read.
+    pub fn aside(&mut self, at: usize, label: &str) -> Option<(Role, Vec<String>)> {
         self.numbers.insert(label.to_owned(), at);
         let equations = self.read.get(at).filter(|equations| equations.len() == 1)?.clone();
         let equation = equations
@@ -594,6 +594,7 @@ impl Guess {
         let mut names = BTreeSet::new();
         names_in(&equation.left, &mut names);
         names_in(&equation.right, &mut names);
+        let below = self.definitions_of(&names);
         let role = match &new {
             Some(name) => {
                 self.definitions.insert(name.clone(), label.to_owned());
@@ -612,7 +613,7 @@ impl Guess {
         self.met.extend(names.iter().cloned());
         names.retain(|name| Some(name) != new.as_ref());
         self.names.extend(names);
-        Some(role)
+        Some((role, below))
     }
 
     /// Guesses the role of a formula and what it follows from.

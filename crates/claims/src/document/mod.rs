@@ -510,25 +510,26 @@ fn entries(
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
         if formula.is_aside {
-            raw.equation.extend(guess.aside(at, label).map(|role| RawEntry {
-                label: here(label.clone()),
-                role,
-                tex: here(tex),
-                local: Vec::new(),
-                with: Vec::new(),
-                assume: Vec::new(),
-                follows_from: Some(Vec::new()),
-                expect: own.expect.unwrap_or_default(),
-                names: Vec::new(),
-                guessed: Vec::new(),
-                standing: Standing::Said,
-                doubts: Vec::new(),
-                operators: Vec::new(),
-                identities: Vec::new(),
-                marked: Vec::new(),
-                unread: None,
-                way: None,
-            }));
+            raw.equation
+                .extend(guess.aside(at, label).map(|(role, below)| RawEntry {
+                    label: here(label.clone()),
+                    role,
+                    tex: here(tex),
+                    local: Vec::new(),
+                    with: Vec::new(),
+                    assume: Vec::new(),
+                    follows_from: Some(below.into_iter().map(here).collect()),
+                    expect: own.expect.unwrap_or_default(),
+                    names: Vec::new(),
+                    guessed: Vec::new(),
+                    standing: Standing::Said,
+                    doubts: Vec::new(),
+                    operators: Vec::new(),
+                    identities: Vec::new(),
+                    marked: Vec::new(),
+                    unread: None,
+                    way: None,
+                }));
             continue;
         }
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
