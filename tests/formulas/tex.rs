@@ -67,6 +67,17 @@ fn assert_prints(equations: &[Equation]) {
     }
 }
 
+#[test]
+fn a_product_behind_a_quotient_with_a_function_prints_with_a_dot() {
+    assert_safe(r"U_k = \left[\frac{A_k}f{\pi R_c^2}\right]^2 d");
+    let read = read(r"U_k = \left[\frac{A_k}f{\pi R_c^2}\right]^2 d", &names()).unwrap();
+    assert!(
+        read[0].to_string().contains(r"\frac{A_k}{f} \cdot (\pi R_c^2)"),
+        "{}",
+        read[0]
+    );
+}
+
 /// Reading ends with a value or an error, and an error can be shown.
 fn assert_safe(tex: &str) {
     match read(tex, &names()) {

@@ -140,7 +140,9 @@ pub(super) fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
         _ => false,
     };
     let mixed = matches!(before, Tree::Number(_)) && numbers(next);
-    digit || mixed || (bracket && may_call(before)) || may_scale(before, next)
+    // a product within one may stand behind a function without its argument, `\frac{a}{f} \cdot (b c)`
+    let is_nested = matches!(next, Tree::Product(_)) && matches!(before, Tree::Quotient(..));
+    digit || mixed || (bracket && (may_call(before) || is_nested)) || may_scale(before, next)
 }
 
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.
