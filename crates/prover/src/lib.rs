@@ -129,6 +129,12 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
     kept
 }
 
+/// Returns true if a claim follows from others.
+fn rests_on_others(sheet: &Sheet, position: usize) -> bool {
+    let entry = sheet.entries.get(position);
+    entry.is_some_and(|entry| entry.unread.is_none() && !entry.follows_from.is_empty())
+}
+
 /// Returns true if a claim without conditions holds a sum of unknown length, of which no number is known.
 fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
     let is_sum = |node: &Tree| match node {
@@ -208,6 +214,22 @@ impl<'a> Search<'a> {
             Some(decision) => {
                 doubts.retain(|kind| !is_marked(kind));
                 decision
+            }
+            // nothing else would prove it of all of them, and as numbers it is refuted of none
+            None if doubts.iter().any(is_marked) && rests_on_others(sheet, position) => {
+                let open: Vec<String> = doubts
+                    .iter()
+                    .filter(|kind| is_marked(kind))
+                    .map(ToString::to_string)
+                    .collect();
+                let reason = format!("no proof is found that keeps the order of factors: {}", open.join("; "));
+                match Decision::without_search(sheet, position) {
+                    Ok(_) => Decision {
+                        reason,
+                        ..self.start.clone()
+                    },
+                    Err(unread) => *unread,
+                }
             }
             None => {
                 let decision = self.decide(sheet, position);
