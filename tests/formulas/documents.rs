@@ -2006,6 +2006,22 @@ Let $u = x^2 + 1$. Then
     let [given, proved, open] = [Verdict::Given, Verdict::Proved, Verdict::Undecided];
     // what holds in a case alone is not taken
     assert_eq!(verdicts, [given, proved, open, proved]);
+    for text in [
+        "If we set $a = b$ this is simple.",
+        "We do not set $a = b$.",
+        "Let $a = b$ if $x > 0$.",
+        "It is wrong to write $a = b$.",
+        "It has a maximum where $a = b$.",
+        "On the set $a = b$ it vanishes.",
+        "where $a = b$ does not hold.",
+        "where $a = b$ for small $c$.",
+        r"A note.\footnote{Let $a = b$.}",
+        "One might think that since $a = b$, all is done.",
+    ] {
+        let text = format!("\\[ y = a + b \\]\n{text}\n\\[ y = 2 a \\]\n");
+        let found = decisions(&document(&text, &[]));
+        assert_ne!(found.last().unwrap().verdict, Verdict::Proved, "{text}");
+    }
     assert!(found[1].reason.contains("text of line 3"), "{}", found[1].reason);
 }
 
@@ -2018,11 +2034,19 @@ fn sums_of_unknown_length_are_linear() {
 \begin{equation} \sum_{i=1}^n x_i y_i = \sum_{i=1}^n x_i \sum_{i=1}^n y_i \end{equation}
 \begin{equation} \sum_{i=1}^n x_i^2 = \left( \sum_{i=1}^n x_i \right)^2 \end{equation}
 \begin{equation} \sum_{i=1}^n x_i = n x_i \end{equation}
+\begin{equation} w = \frac{1}{v_i} \end{equation}
+\begin{equation} \sum_{i=1}^n w x_i = w \sum_{i=1}^n x_i \end{equation}
+\begin{equation} y_k = c \end{equation}
+\begin{equation} \sum_{k=1}^n y_k = n c \end{equation}
+\begin{equation} \sum_{i=1}^n \sum_{j=1}^n z_i z_j = \left( \sum_{i=1}^n z_i \right)^2 \end{equation}
 ";
     let found = decisions(&document(text, &[]));
     let is_proved: Vec<bool> = found.iter().map(|row| row.verdict == Verdict::Proved).collect();
     let reasons: Vec<&str> = found.iter().map(|row| row.reason.as_str()).collect();
-    assert_eq!(is_proved, [false, true, true, true, false, false, false], "{reasons:?}");
+    let first = [false, true, true, true, false, false, false];
+    // a letter that the index gives, and what is said of one member
+    let further = [false, false, false, false, true];
+    assert_eq!(is_proved, [first.as_slice(), &further].concat(), "{reasons:?}");
 }
 
 #[test]
@@ -2127,6 +2151,20 @@ fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
             r"\dot{x} = (A - K B) x",
         ),
         (r"\[ A(t) = U^\dagger A U \]", "A(t) = A"),
+        // members of a family keep their places in sums
+        (r"\[ S = \sum_{i=1}^n x_i y_i^\top \]", r"S^\top = S"),
+        (
+            r"\[ \vec L = \sum_{i=1}^n \vec r_i \times \vec p_i \]",
+            r"\vec L = \sum_{i=1}^n \vec p_i \times \vec r_i",
+        ),
+        // I and T that are something else, small letters that are matrices
+        (
+            r"Let $A$ be a matrix and $I$ the current. \[ P = A - I \]",
+            "P A = A^2 - A",
+        ),
+        (r"\[ I = X^\top X \] \[ V = I^{-1} \]", "V X = X"),
+        (r"\[ \tau = \frac{T}{2} \] \[ y = a^T b \]", "y = b^T a"),
+        (r"Let $a$, $b$ be matrices. \[ c = a^\top b \]", r"c = b^\top a"),
     ] {
         let text = format!("{before}\n\\[ {claim} \\]\n");
         let found = decisions(&document(&text, &[]));

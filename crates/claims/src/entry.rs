@@ -81,6 +81,8 @@ pub struct Entry {
     pub operators: BTreeSet<String>,
     /// Those of them that are 1.
     pub identities: BTreeSet<String>,
+    /// Whether small letters among them are columns.
+    pub columns: bool,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
     /// The equations of which it says or assumes that one holds.
@@ -148,6 +150,9 @@ pub(super) struct RawEntry {
     /// Those of them that are 1.
     #[serde(default)]
     pub identities: Vec<String>,
+    /// Whether small letters among them are columns.
+    #[serde(default)]
+    pub columns: bool,
     /// What is doubted of a proof for real numbers, as it speaks of more, a question each.
     #[serde(default)]
     pub marked: Vec<String>,
@@ -1167,6 +1172,7 @@ pub(super) fn read_entry(
         doubts,
         operators: raw.operators.iter().cloned().collect(),
         identities: raw.identities.iter().cloned().collect(),
+        columns: raw.columns,
         equations,
         local,
         with,

@@ -131,7 +131,7 @@ impl Words {
         words
     }
 
-    fn negated(&self) -> Self {
+    pub fn negated(&self) -> Self {
         let mut words = Self::default();
         words.add_between(&-Rational::one(), &Word::default(), self, &Word::default());
         words
@@ -175,8 +175,24 @@ pub struct WordQuestion {
 
 impl WordQuestion {
     /// Reads claim and premises; `None` where they say more than that equations hold, or cannot be written in words.
-    pub fn of(statements: &Statements, operators: &BTreeSet<String>) -> Option<Self> {
-        let is_operator = |name: &Name| operators.contains(&name.to_string());
+    ///
+    /// Where small letters are `columns`, `x^T A y` is a number.
+    pub fn of(statements: &Statements, operators: &BTreeSet<String>, columns: bool) -> Option<Self> {
+        // a member of a family keeps its place where another does
+        let is_member = |name: &Name| {
+            let bare = Name {
+                subscript: String::new(),
+                ..name.clone()
+            };
+            let bare = bare.to_string();
+            let is_one = |own: &String| {
+                own.strip_prefix(&bare)
+                    .is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+            };
+            name.subscript.contains(BOUND[0]) && operators.iter().any(is_one)
+        };
+        let holds_bound = |name: &Name| name.base.contains(BOUND[0]) && !operators.is_empty() && is_opaque(name);
+        let is_operator = |name: &Name| operators.contains(&name.to_string()) || is_member(name) || holds_bound(name);
         let mut reader = Reader::new(&is_operator);
         reader.may_transpose = !operators.is_empty();
         for local in &statements.locals {
@@ -210,7 +226,7 @@ impl WordQuestion {
         // x^T A y is a number, and its own transpose
         let words = claims.iter().chain(&givens).flat_map(Words::terms);
         let forms: BTreeSet<Vec<Letter>> = words
-            .filter(|(word, _)| word.is_form())
+            .filter(|(word, _)| columns && !reader.has_adjoints && word.is_form())
             .map(|(word, _)| word.letters.clone())
             .collect();
         for letters in forms {
@@ -252,6 +268,8 @@ pub(super) struct Reader<'a> {
     met: BTreeMap<String, Words>,
     /// What was inverted, as it prints first, by the names of the inverses.
     inverted: BTreeMap<String, String>,
+    /// Whether an adjoint was met, which takes conjugates.
+    has_adjoints: bool,
     /// Whether `A^T` may be a transpose, and no power.
     may_transpose: bool,
     /// Conditions under which the lengths of sums are what they are taken to be.
@@ -267,6 +285,7 @@ impl<'a> Reader<'a> {
             values: BTreeMap::new(),
             met: BTreeMap::new(),
             inverted: BTreeMap::new(),
+            has_adjoints: false,
             may_transpose: false,
             provided: BTreeSet::new(),
             bound: 0,
@@ -373,19 +392,18 @@ impl<'a> Reader<'a> {
                 let inverse = commutes.then(|| self.inverse(&below)).flatten()?;
                 self.expanded(above, depth)?.times(&inverse)
             }
-            Tree::RealPower(of, exponent, _) if self.may_transpose && is_sign_of_transpose(of, exponent) => {
+            Tree::RealPower(of, exponent, _) if self.may_transpose && is_adjoint(of, exponent) => {
                 let of = self.expanded(of, depth)?;
-                let may_conjugate = !matches!(&**exponent, Tree::Symbol(name, _) if name.base == "T");
+                self.has_adjoints = true;
                 let has_scalars = of.0.keys().any(|word| !word.scalars.is_empty());
-                match may_conjugate && has_scalars {
+                match has_scalars {
                     true => Some(self.atom(tree)),
                     false => Some(of.transposed()),
                 }
             }
             // A^{-T}
             Tree::RealPower(of, exponent, _)
-                if self.may_transpose
-                    && matches!(&**exponent, Tree::Negate(sign) if is_sign_of_transpose(of, sign)) =>
+                if self.may_transpose && matches!(&**exponent, Tree::Negate(sign) if is_adjoint(of, sign)) =>
             {
                 let of = self.expanded(of, depth)?;
                 self.inverse(&of).map(|inverse| inverse.transposed())
@@ -432,12 +450,17 @@ impl<'a> Reader<'a> {
                 subscript,
                 ..name.clone()
             })?;
-            Some(bound(value, &Name::plain(letter), &name.subscript))
+            let letter = Name::plain(letter);
+            // what is said of one member does not speak of its number, and a sum over it is none of each
+            (mentions(value, &letter) && !binds(value, &letter)).then(|| bound(value, &letter, &name.subscript))
         })
     }
 
     /// A sum over an index: what does not depend on it stands in front of it, or behind.
     fn series(&mut self, of: &Tree, index: &Name, ends: [&Tree; 2], depth: usize) -> Option<Words> {
+        if self.depends_by_value(of, index) {
+            return None;
+        }
         let token = self.token();
         let body = self.expanded(&bound(of, index, &token), depth)?;
         let [from, to] = [self.expanded(ends[0], depth)?, self.expanded(ends[1], depth)?];
@@ -485,6 +508,9 @@ impl<'a> Reader<'a> {
 
     /// An integral between limits, term by term; any letter may depend on what it is over.
     fn integral(&mut self, of: &Tree, by: &Name, limits: [&Tree; 2], depth: usize) -> Option<Words> {
+        if self.depends_by_value(of, by) {
+            return None;
+        }
         let token = self.token();
         let body = self.expanded(&bound(of, by, &token), depth)?;
         let [low, high] = [self.expanded(limits[0], depth)?, self.expanded(limits[1], depth)?];
@@ -517,6 +543,25 @@ impl<'a> Reader<'a> {
             sum.add_between(coefficient, &scalars, &trace, &Word::default());
         }
         Some(sum)
+    }
+
+    /// Returns true if the value of a letter speaks of one that is bound here: whether it is meant so, nobody says.
+    fn depends_by_value(&self, of: &Tree, letter: &Name) -> bool {
+        let mut spoken = BTreeSet::new();
+        names_in(of, &mut spoken);
+        let mut open: Vec<Name> = spoken.iter().cloned().collect();
+        while let Some(next) = open.pop() {
+            let is_member = next.subscript.contains(&letter.to_string());
+            if let Some(value) = self.values.get(&next).filter(|_| !is_member) {
+                if mentions(value, letter) {
+                    return true;
+                }
+                let mut below = BTreeSet::new();
+                names_in(value, &mut below);
+                open.extend(below.into_iter().filter(|name| spoken.insert(name.clone())));
+            }
+        }
+        false
     }
 
     /// The sign of a bound letter that no other has.
@@ -752,6 +797,19 @@ fn bound(tree: &Tree, letter: &Name, token: &str) -> Tree {
     }
 }
 
+/// Returns true if a letter stands in a tree, in a subscript too.
+fn mentions(tree: &Tree, letter: &Name) -> bool {
+    bound(tree, letter, "\u{3}") != *tree
+}
+
+/// Returns true if an operation in a tree binds a letter.
+fn binds(tree: &Tree, letter: &Name) -> bool {
+    any(
+        tree,
+        &mut |node| matches!(node, Tree::Operation(operation, _) if operation.letter() == Some(letter)),
+    )
+}
+
 /// Puts a sign in the place of a letter in a subscript or a term.
 fn with_token(text: &str, letter: &str, token: &str) -> String {
     let (mut written, mut rest) = (String::new(), text);
@@ -816,6 +874,12 @@ pub(super) fn transposed(tree: &Tree) -> Option<&Tree> {
         },
         _ => None,
     }
+}
+
+/// Returns true if an exponent is the sign of an adjoint; `T` may be a number where the reader took it for none of a transpose.
+fn is_adjoint(of: &Tree, exponent: &Tree) -> bool {
+    let is_t = matches!(exponent, Tree::Symbol(name, _) if name.base == "T");
+    !is_t && is_sign_of_transpose(of, exponent)
 }
 
 /// Returns true if an exponent is the sign of a transpose or an adjoint.

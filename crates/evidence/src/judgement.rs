@@ -14,8 +14,8 @@ use super::tolerance::{
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
 use claims::{Fault, Sheet, Standing, Statements, Verdict};
 use numbers::{Sequence, Wide};
-use std::collections::BTreeMap;
-use texmath::{Equation, Names, Relation, Symbols, Tree, any_side, number_of, read_expression};
+use std::collections::{BTreeMap, BTreeSet};
+use texmath::{Equation, Name, Names, Operation, Relation, Symbols, Tree, any, any_side, number_of, read_expression};
 
 /// What numbers say of one claim.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -127,6 +127,9 @@ fn of_claim(
     named: &[(&str, f64)],
     work: &mut u64,
 ) -> Evidence {
+    if has_members_under_two_indices(statements) {
+        return without_points("no witness: members of one family under two indices".to_owned());
+    }
     let mut system = match System::new(statements, symbols, Forcing::Any) {
         Ok(system) => system,
         Err(reason) => return without_points(no_witness(&reason)),
@@ -145,6 +148,38 @@ fn of_claim(
     };
     *work = over.system.work.left();
     evidence
+}
+
+/// Returns true if members of one family stand under two indices of sums, `x_i` and `x_j`: values are chosen for names, and these are
+/// two.
+fn has_members_under_two_indices(statements: &Statements) -> bool {
+    let claims = statements.claims.iter();
+    let equations = claims.chain(statements.premises.iter().map(|premise| &premise.equation));
+    let locals = statements.locals.iter().map(|local| &local.tree);
+    let trees = equations
+        .flat_map(|equation| [&equation.left, &equation.right])
+        .chain(locals);
+    let (mut indices, mut names): (BTreeSet<String>, BTreeSet<Name>) = Default::default();
+    for tree in trees {
+        any(tree, &mut |node| {
+            match node {
+                Tree::Operation(operation, _) => {
+                    if let Operation::Series { index, .. } = &**operation {
+                        indices.insert(index.to_string());
+                    }
+                }
+                Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                    names.insert(name.clone());
+                }
+                _ => {}
+            }
+            false
+        });
+    }
+    let members: Vec<&Name> = names.iter().filter(|name| indices.contains(&name.subscript)).collect();
+    let are_two =
+        |pair: &[&Name]| matches!(pair, [one, other] if one.base == other.base && one.accents == other.accents);
+    members.windows(2).any(are_two)
 }
 
 fn without_points(note: String) -> Evidence {

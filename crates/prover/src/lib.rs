@@ -157,7 +157,7 @@ fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
 fn in_words(sheet: &Sheet, position: usize) -> Option<(WordQuestion, kernel::WordProof, Rules)> {
     let entry = sheet.entries.get(position)?;
     let statements = Decision::without_search(sheet, position).ok()?;
-    let question = WordQuestion::of(&statements, &entry.operators)?;
+    let question = WordQuestion::of(&statements, &entry.operators, entry.columns)?;
     let found = words::proof(&question)?;
     Some((question, found, statements.rules))
 }

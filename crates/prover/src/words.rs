@@ -101,8 +101,9 @@ impl Search {
         let has_transposes = words().any(|word| word.letters.iter().any(|letter| letter.is_transposed));
         for (number, given) in question.givens.iter().enumerate() {
             search.add(Rule::of(given.clone(), WordSource::Given(number)));
-            if has_transposes && given.transposed() != *given {
-                search.add(Rule::of(given.transposed(), WordSource::Transposed(number)));
+            let transposed = given.transposed();
+            if has_transposes && transposed != *given && transposed != given.clone().negated() {
+                search.add(Rule::of(transposed, WordSource::Transposed(number)));
             }
         }
         search
@@ -206,17 +207,21 @@ impl Search {
         })
     }
 
-    /// Lays the end of one leading word over the beginning of another in each way, and keeps what follows.
+    /// Lays one leading word over the end of another, or inside it, in each way, and keeps what follows.
     fn overlay(&mut self, one: usize, other: usize) {
         let (Some(first), Some(second)) = (self.rules.get(one).cloned(), self.rules.get(other).cloned()) else {
             return;
         };
         let (left, right) = (&first.lead.letters, &second.lead.letters);
-        let most = left.len().min(right.len());
-        for shared in 1..=most {
+        for at in 0..left.len() {
+            let shared = right.len().min(left.len() - at);
             let is_whole = one == other && shared == left.len();
-            let is_laid = left.get(left.len() - shared..) == right.get(..shared);
-            if is_whole || !is_laid || (self.is_linear && (shared != left.len() || shared != right.len())) {
+            let is_laid = left.get(at..at + shared) == right.get(..shared);
+            if shared == 0
+                || is_whole
+                || !is_laid
+                || (self.is_linear && (shared != left.len() || shared != right.len()))
+            {
                 continue;
             }
             // the scalars that both need
@@ -237,7 +242,11 @@ impl Search {
                 }
             };
             let behind = beside(&first.lead, right.get(shared..).unwrap_or_default());
-            let front = beside(&second.lead, left.get(..left.len() - shared).unwrap_or_default());
+            let front = beside(&second.lead, left.get(..at).unwrap_or_default());
+            let rest = Word {
+                letters: left.get(at + shared..).unwrap_or_default().to_vec(),
+                ..Word::default()
+            };
             let may_be = |word: &Word| {
                 word.scalars
                     .iter()
@@ -246,21 +255,20 @@ impl Search {
             if !may_be(&behind) || !may_be(&front) {
                 continue;
             }
-            let none = Word::default();
             let (a, b) = (
                 Rational::one() / first.coefficient.clone(),
                 -(Rational::one() / second.coefficient.clone()),
             );
             let mut sum = Words::default();
-            sum.add_between(&a, &none, &first.sum, &behind);
-            sum.add_between(&b, &front, &second.sum, &none);
-            let Some((rest, taken)) = self.rewritten(sum).filter(|(rest, _)| !rest.is_zero()) else {
+            sum.add_between(&a, &Word::default(), &first.sum, &behind);
+            sum.add_between(&b, &front, &second.sum, &rest);
+            let Some((new, taken)) = self.rewritten(sum).filter(|(new, _)| !new.is_zero()) else {
                 continue;
             };
             let mut line = vec![
                 WordMultiple {
                     coefficient: a,
-                    front: none.clone(),
+                    front: Word::default(),
                     of: first.source,
                     behind,
                 },
@@ -268,7 +276,7 @@ impl Search {
                     coefficient: b,
                     front,
                     of: second.source,
-                    behind: none,
+                    behind: rest,
                 },
             ];
             line.extend(taken.into_iter().map(|multiple| WordMultiple {
@@ -276,7 +284,7 @@ impl Search {
                 ..multiple
             }));
             self.lines.push(line);
-            self.add(Rule::of(rest, WordSource::Line(self.lines.len() - 1)));
+            self.add(Rule::of(new, WordSource::Line(self.lines.len() - 1)));
         }
     }
 }
@@ -284,7 +292,8 @@ impl Search {
 /// Numbers for all letters of which what is given holds, each solved for a letter that it is linear in.
 fn point(question: &WordQuestion) -> Option<BTreeMap<String, Rational>> {
     // inverses, which are given last, before the rest, and those of letters before those of sums of them
-    let mut givens: Vec<&Words> = question.givens.iter().rev().collect();
+    // and what holds of all numbers asks for none
+    let mut givens: Vec<&Words> = question.givens.iter().rev().filter(|given| !vanishes(given)).collect();
     givens.sort_by_key(|given| names(given).len());
     (0..MOST_CHOICES).find_map(|seed| {
         let mut choose = Choice(seed);
@@ -292,8 +301,8 @@ fn point(question: &WordQuestion) -> Option<BTreeMap<String, Rational>> {
         for given in &givens {
             choose.solve(given, &mut values)?;
         }
-        for claim in &question.claims {
-            for name in names(claim) {
+        for words in question.claims.iter().chain(&question.givens) {
+            for name in names(words) {
                 values.entry(name).or_insert_with(|| choose.next());
             }
         }
@@ -368,6 +377,19 @@ impl Choice {
     }
 }
 
+/// Returns true if a sum of words is nothing where they commute and are their own transposes.
+fn vanishes(words: &Words) -> bool {
+    let mut sums: BTreeMap<BTreeMap<String, i32>, Rational> = BTreeMap::new();
+    for (word, coefficient) in words.terms() {
+        let mut powers = word.scalars.clone();
+        for letter in &word.letters {
+            *powers.entry(letter.name.clone()).or_default() += 1;
+        }
+        *sums.entry(powers).or_insert_with(Rational::zero) += coefficient.clone();
+    }
+    sums.values().all(Rational::is_zero)
+}
+
 /// The value of a sum at numbers.
 fn value(sum: &Words, values: &BTreeMap<String, Rational>) -> Option<Rational> {
     let mut total = Rational::zero();
@@ -426,7 +448,7 @@ mod tests {
         let operators = ["A", "B", "C", "P", "Q", "R", "K", "S", "W", "x", "y", "u", "X", "I"]
             .map(str::to_owned)
             .into();
-        let question = WordQuestion::of(&statements(claim, premises), &operators).expect(claim);
+        let question = WordQuestion::of(&statements(claim, premises), &operators, true).expect(claim);
         let proof = proof(&question);
         if let Some(proof) = &proof {
             kernel::prove_in_words(&question, proof).expect(claim);
@@ -444,7 +466,7 @@ mod tests {
             "(A B)^{-1} = B^{-1} A^{-1}",
             "(m B)^{-1} = m^{-1} B^{-1}",
             "(A C)(m B C)^{-1} = A B^{-1} m^{-1}",
-            "(A B)^T = B^T A^T",
+            r"(A B)^\top = B^\top A^\top",
             r"(A^{-1} B^\top)^\top = B (A^\top)^{-1}",
             r"\left(\frac{1}{n} X^\top X\right)^{-1} \frac{1}{n} X^\top X B = B",
             r"(A + B)^{-1} A + (A + B)^{-1} B = I",
@@ -463,7 +485,7 @@ mod tests {
             "e^{A + B} = e^A e^B",
             "(A B)^{-1} = A^{-1} B^{-1}",
             r"(B A)(A^\top A)^{-1} A^\top = B",
-            "(A B)^T = A^T B^T",
+            r"(A B)^\top = A^\top B^\top",
             "(z A)^H = z A^H",
             r"(I + A B)^{-1} A = (I + B A)^{-1} A",
         ] {
@@ -502,7 +524,7 @@ mod tests {
     #[test]
     fn a_broken_proof_is_refused() {
         let operators = ["A", "B"].map(str::to_owned).into();
-        let question = |claim: &str| WordQuestion::of(&statements(claim, &[]), &operators).expect("words");
+        let question = |claim: &str| WordQuestion::of(&statements(claim, &[]), &operators, true).expect("words");
         let right = question("(A B)^{-1} = B^{-1} A^{-1}");
         let found = proof(&right).expect("a proof");
         assert!(kernel::prove_in_words(&right, &found).is_ok());

@@ -141,8 +141,13 @@ pub(super) fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
     };
     let mixed = matches!(before, Tree::Number(_)) && numbers(next);
     // a product within one may stand behind a function without its argument, `\frac{a}{f} \cdot (b c)`
-    let is_nested = matches!(next, Tree::Product(_)) && matches!(before, Tree::Quotient(..));
+    let is_nested = matches!(next, Tree::Product(_)) && matches!(before, Tree::Quotient(..)) && has_symbol(before);
     digit || mixed || (bracket && (may_call(before) || is_nested)) || may_scale(before, next)
+}
+
+/// Whether a symbol stands in a tree.
+fn has_symbol(tree: &Tree) -> bool {
+    matches!(tree, Tree::Symbol(..)) || tree.find_below(&mut |part| has_symbol(part).then_some(())).is_some()
 }
 
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.

@@ -1,32 +1,97 @@
 //! Formulas within the text that say what a letter is or that something holds: `where $N = N_t + N_c$`, `let $u = x^4$`.
 
-/// Words in front of what is said of the display before, and of what comes after.
+/// Words right behind a display, in front of what is said of it.
 const BEHIND: [&str; 2] = ["where", "with"];
-const IN_FRONT: [&str; 20] = [
+
+/// Words at the beginning of a sentence, in front of what is said of what comes after.
+const IN_FRONT: [&str; 14] = [
     "let",
     "define",
     "denote",
-    "since",
-    "because",
     "recall",
     "recall that",
     "set",
-    "setting",
     "write",
-    "writing",
     "put",
-    "putting",
-    "introduce",
-    "introducing",
-    "denoting",
-    "defining",
-    "given that",
-    "using",
-    "note that",
+    "we define",
+    "we denote",
+    "we write",
+    "we set",
+    "we put",
+    "we let",
 ];
 
 /// Words and signs between two such formulas.
-const BETWEEN: [&str; 6] = ["and", ",", ", and", ", where", "and where", ", with"];
+const BETWEEN: [&str; 5] = ["and", ",", ", and", ", where", "and where"];
+
+/// Words in the rest of a sentence with which a formula may not hold, or not everywhere.
+const BUT: [&str; 52] = [
+    "not",
+    "no",
+    "if",
+    "iff",
+    "unless",
+    "when",
+    "whenever",
+    "or",
+    "for",
+    "only",
+    "under",
+    "provided",
+    "never",
+    "except",
+    "fail",
+    "fails",
+    "false",
+    "excluded",
+    "impossible",
+    "approximately",
+    "order",
+    "average",
+    "almost",
+    "sign",
+    "modulo",
+    "asymptotically",
+    "as",
+    "initially",
+    "limit",
+    "respectively",
+    "resp",
+    "otherwise",
+    "contradiction",
+    "contradicts",
+    "wrong",
+    "else",
+    "implies",
+    "probability",
+    "distribution",
+    "small",
+    "large",
+    "constant",
+    "gives",
+    "means",
+    "denotes",
+    "corresponds",
+    "equation",
+    "read",
+    "printed",
+    "cannot",
+    "may",
+    "need",
+];
+
+/// Commands and environments in which formulas are said of something else.
+const ELSEWHERE: [&str; 9] = [
+    r"\footnote{",
+    r"\caption{",
+    r"\title{",
+    r"\marginnote{",
+    r"\begin{abstract}",
+    r"\begin{tabular}",
+    r"\begin{algorithm",
+    r"\begin{quote}",
+    "``",
+];
 
 /// What a formula has that gives no letter and states no equality of values.
 const NO_EQUALITIES: [&str; 24] = [
@@ -84,35 +149,82 @@ pub(super) fn states(tex: &str) -> bool {
         && !NO_EQUALITIES.iter().any(|sign| is_there(sign))
 }
 
+/// Returns true if nothing in the rest of its sentence, behind a formula, takes back that it holds: only more formulas, and what
+/// the letter is.
+pub(super) fn is_plain_behind(behind: &str) -> bool {
+    let sentence = match behind.find("\n\n") {
+        Some(end) => behind.get(..end).unwrap_or_default(),
+        None => behind,
+    };
+    let ends = [". ", ".\n", ";", ":", r"\begin{", r"\[", "$$"];
+    let end = ends
+        .iter()
+        .filter_map(|end| sentence.find(end))
+        .min()
+        .unwrap_or(sentence.len());
+    let rest = sentence.get(..end).unwrap_or_default();
+    // what stands between dollars is looked at by itself
+    let words = rest
+        .split('$')
+        .step_by(2)
+        .flat_map(|text| text.split(|c: char| !c.is_alphabetic()));
+    let mut words = words.filter(|word| !word.is_empty()).map(str::to_lowercase).peekable();
+    let is_short = words.clone().count() <= MOST_WORDS;
+    let begins_well = words
+        .peek()
+        .is_none_or(|word| ["and", "is", "are", "where", "with", "then", "we", "the"].contains(&word.as_str()));
+    is_short && begins_well && !words.any(|word| BUT.contains(&word.as_str()))
+}
+
+/// The most words in the rest of a sentence.
+const MOST_WORDS: usize = 25;
+
 /// Returns whether what words in front of a formula announce is said of the display before; nothing where they announce nothing.
-/// `between` is the text since the formula before that was announced, if any, and whether that was said of the display before.
-pub(super) fn announced(before: &str, between: Option<(&str, bool)>) -> Option<bool> {
+/// `since` is the text since the last display, if any, and `between` that since the formula before that was announced, with
+/// whether that was said of the display before.
+pub(super) fn announced(before: &str, since: Option<&str>, between: Option<(&str, bool)>) -> Option<bool> {
     if let Some((between, is_behind)) = between
         && BETWEEN.contains(&between.split_whitespace().collect::<Vec<_>>().join(" ").as_str())
     {
         return Some(is_behind);
     }
-    let start = before.char_indices().rev().nth(40).map_or(0, |(start, _)| start);
-    let near = before.get(start..).unwrap_or_default().trim_end().to_lowercase();
-    let ends_in = |word: &str| {
-        near.strip_suffix(word)
-            .is_some_and(|rest| !rest.ends_with(|c: char| c.is_alphanumeric()))
-    };
-    // `replace this with $...$`
-    let is_first = |word: &str| {
-        let before = near.strip_suffix(word).unwrap_or_default().trim_end();
-        ["}", r"\]", "$$", ","].iter().any(|end| before.ends_with(end))
-    };
-    match (
-        BEHIND
-            .iter()
-            .any(|word| ends_in(word) && (*word == "where" || is_first(word))),
-        IN_FRONT.iter().any(|word| ends_in(word)),
-    ) {
-        (true, _) => Some(true),
-        (_, true) => Some(false),
-        _ => None,
+    let paragraph = before.rsplit("\n\n").next().unwrap_or_default();
+    if ELSEWHERE.iter().any(|place| paragraph.contains(place)) {
+        return None;
     }
+    // right behind the display, but for how it ends
+    let is_behind = |since: &str| {
+        let is_blank = |c: char| c.is_whitespace() || ",.;".contains(c);
+        let mut rest = since.trim_start_matches(is_blank);
+        for end in [r"\end{", r"\]", "$$"] {
+            if let Some(behind) = rest.strip_prefix(end) {
+                rest = behind
+                    .split_once('}')
+                    .filter(|_| end == r"\end{")
+                    .map_or(behind, |(_, behind)| behind);
+            }
+        }
+        let rest = rest.trim_matches(is_blank).to_lowercase();
+        BEHIND.contains(&rest.as_str())
+    };
+    if since.is_some_and(is_behind) {
+        return Some(true);
+    }
+    let start = paragraph.rfind(['.', ':', '}', ']', '$']).map_or(0, |at| at + 1);
+    let lead: Vec<String> = paragraph
+        .get(start..)
+        .unwrap_or_default()
+        .split_whitespace()
+        .map(str::to_lowercase)
+        .collect();
+    let ends_sentence = |c: char| ".:}]".contains(c);
+    let is_first = paragraph
+        .get(..start)
+        .unwrap_or_default()
+        .trim_end()
+        .ends_with(ends_sentence)
+        || start == 0;
+    (is_first && IN_FRONT.contains(&lead.join(" ").as_str())).then_some(false)
 }
 
 #[cfg(test)]
@@ -121,17 +233,68 @@ mod tests {
 
     #[test]
     fn what_words_announce_is_told_from_cases() {
-        assert_eq!(announced("This holds, where", None), Some(true));
-        assert_eq!(announced("Let", None), Some(false));
-        assert_eq!(announced("We recall that", None), Some(false));
-        for text in ["if", "when", "for", "elsewhere", "at", "assume", ""] {
-            assert_eq!(announced(text, None), None, "{text}");
+        assert_eq!(announced("", Some(",\n\\end{equation}\nwhere "), None), Some(true));
+        assert_eq!(announced("", Some(" \\] where "), None), Some(true));
+        for text in [
+            "Let ",
+            "This holds. Let ",
+            "\\end{equation} We define ",
+            "Recall that ",
+            "\n\nSet ",
+        ] {
+            assert_eq!(announced(text, None, None), Some(false), "{text}");
         }
-        assert_eq!(announced("where $a = b$ and", Some(("  and ", true))), Some(true));
+        for text in [
+            "if",
+            "when",
+            "for",
+            "elsewhere",
+            "at",
+            "assume",
+            "",
+            "If we set",
+            "We do not set",
+            "the maximum where",
+            "It is tempting to set",
+            "because",
+            "One might think that since",
+            "Should we set",
+            "The solution set",
+            r"\footnote{Let ",
+            "Do not let",
+        ] {
+            assert_eq!(announced(text, None, None), None, "{text}");
+            assert_eq!(announced(text, Some(text), None), None, "{text}");
+        }
+        assert_eq!(announced("where $a = b$ and", None, Some(("  and ", true))), Some(true));
         assert_eq!(
-            announced("where $a = b$ and this is", Some((" and this is ", true))),
+            announced("where $a = b$ and this is", None, Some((" and this is ", true))),
             None
         );
+        for text in [
+            ". Then",
+            ", and $c = d$.",
+            " is the share of $x$. If",
+            "",
+            " and $p = q$ are the two. ",
+        ] {
+            assert!(is_plain_behind(text), "{text}");
+        }
+        for text in [
+            " does not hold.",
+            " if $x > 0$.",
+            " is false.",
+            " or $a = c$.",
+            ", respectively.",
+            " unless $x = 0$",
+            " for small $c$.",
+            " gives a line.",
+            " holds on average.",
+            " approximately.",
+            " defines the boundary.",
+        ] {
+            assert!(!is_plain_behind(text), "{text}");
+        }
         assert!(states("N = N_t + N_c") && states("A C = I") && states(r"\bar x = \frac{1}{n} s"));
         for tex in [
             "x = 0",

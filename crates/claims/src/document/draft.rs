@@ -71,6 +71,9 @@ fn of_entry(entry: &RawEntry) -> String {
             let _ = writeln!(text, "{key} = [{}\n]", items.concat());
         }
     }
+    if entry.columns {
+        let _ = writeln!(text, "columns = true");
+    }
     if let Some(problem) = &entry.unread {
         let _ = writeln!(text, "unread = {}", word(problem));
     }

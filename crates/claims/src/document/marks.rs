@@ -367,7 +367,10 @@ impl Marks {
             .operators
             .retain(|name| !is_constant(name) && !marks.numbers.contains(name));
         marks.complex.retain(|name| !is_constant(name));
-        let added = marks.identities_beside_matrices(&equations);
+        let added = match members.i_is_other {
+            true => BTreeSet::new(),
+            false => marks.identities_beside_matrices(&equations),
+        };
         marks
             .identities
             .extend(added.into_iter().filter(|name| !has_value(name)));
@@ -381,7 +384,10 @@ impl Marks {
         let is_one = |term: &Tree| match term {
             Tree::Symbol(name, _) => is_called_identity(name).then(|| name.clone()),
             Tree::Product(factors) => match factors.last() {
-                Some(Tree::Symbol(name, _)) if is_called_identity(name) => Some(name.clone()),
+                Some(Tree::Symbol(name, _)) if is_called_identity(name) => {
+                    let mut before = factors.iter().take(factors.len() - 1);
+                    (!before.any(|factor| self.is_operator(factor))).then(|| name.clone())
+                }
                 _ => None,
             },
             _ => None,
@@ -770,8 +776,11 @@ fn is_called_identity(name: &Name) -> bool {
 fn identity_in(equation: &Equation) -> Option<&Name> {
     let is_named = is_called_identity;
     let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+    // on the left it is something else that is given a value
+    let is_right = |side: &Tree| std::ptr::eq(side, &equation.right);
     sides.into_iter().find_map(|(side, other)| match (side, other) {
-        (Tree::Symbol(name, _), Tree::Product(factors)) if is_named(name) => match factors.as_slice() {
+        (Tree::Symbol(name, _), Tree::Product(factors)) if is_named(name) && is_right(side) => match factors.as_slice()
+        {
             [first, last] if are_inverse(first, last) || are_transposes(first, last) => Some(name),
             _ => None,
         },

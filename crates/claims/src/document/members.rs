@@ -11,6 +11,10 @@ pub(super) struct Members {
     pub matrices: BTreeSet<String>,
     /// Whether the text speaks of `T` by itself, as of a temperature or a period.
     pub t_is_letter: bool,
+    /// Whether the text speaks of `I` by itself, and of no identity.
+    pub i_is_other: bool,
+    /// Whether small letters are called matrices or rows.
+    pub has_other_columns: bool,
 }
 
 /// The most characters before and behind `\in` that letters and their set take.
@@ -81,6 +85,17 @@ impl Members {
                 marked.extend(beside);
             }
         }
+        let speaks_of =
+            |letter: &str| text.contains(&format!("${letter}$")) || text.contains(&format!(r"\({letter}\)"));
+        let has_identity = text.contains("identity") || text.contains("Identity") || text.contains("unit matrix");
+        members.i_is_other = !has_identity
+            && ["I", r"\mathbf{I}", r"\mathbf I", r"\mathbb{1}", r"\mathbf{1}"]
+                .iter()
+                .any(|own| speaks_of(own));
+        let is_small = |letter: &String| letter.starts_with(|c: char| c.is_ascii_lowercase());
+        let others = ["row vector", "rows", "quaternion", "data matrix", "operators"];
+        members.has_other_columns =
+            others.iter().any(|word| text.contains(word)) || members.matrices.iter().any(is_small);
         members.t_is_letter = text.contains("$T$") || text.contains(r"\(T\)");
         let has_determinants = text.contains("eterminant");
         for formula in inline(text) {

@@ -526,6 +526,7 @@ fn entries(
                     doubts: Vec::new(),
                     operators: Vec::new(),
                     identities: Vec::new(),
+                    columns: false,
                     marked: Vec::new(),
                     unread: None,
                     way: None,
@@ -583,6 +584,7 @@ fn entries(
             doubts: Vec::new(),
             operators: Vec::new(),
             identities: Vec::new(),
+            columns: false,
             marked: Vec::new(),
             unread,
             way: None,
@@ -608,6 +610,7 @@ fn entries(
         let (doubts, marked) = guess.doubts(entry, &below);
         entry.doubts = doubts;
         (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
+        entry.columns = !entry.operators.is_empty() && !whole.members.has_other_columns;
     }
     if let Some(symbols) = guess.raw_symbols() {
         raw.symbols = Some(Spanned::new(0..0, symbols));

@@ -76,6 +76,9 @@ pub(super) struct Aside {
     pub after: usize,
 }
 
+/// The most bytes behind a formula within the text that are looked at.
+const FARTHEST: usize = 400;
+
 /// A comment that begins with `audit:`, or is meant to.
 #[derive(Clone, Debug)]
 pub(super) struct Comment {
@@ -637,7 +640,13 @@ impl<'a> Scan<'a> {
         }
         let last = self.asides.last();
         let between = last.map(|last| (text(last.formula.part.end + 1..here), last.is_behind));
-        let Some(is_behind) = asides::announced(text(0..here), between) else {
+        let since = self.formulas.last().map(|last| text(last.part.end..here));
+        let behind = self.text.get(body.end + 1..).unwrap_or_default();
+        let far = behind.char_indices().nth(FARTHEST).map_or(behind.len(), |(far, _)| far);
+        let behind = behind.get(..far).unwrap_or_default();
+        let Some(is_behind) =
+            asides::announced(text(0..here), since, between).filter(|_| asides::is_plain_behind(behind))
+        else {
             return;
         };
         // of the display before, where nothing but this sentence stands between
