@@ -2165,6 +2165,10 @@ fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
         (r"\[ I = X^\top X \] \[ V = I^{-1} \]", "V X = X"),
         (r"\[ \tau = \frac{T}{2} \] \[ y = a^T b \]", "y = b^T a"),
         (r"Let $a$, $b$ be matrices. \[ c = a^\top b \]", r"c = b^\top a"),
+        (
+            r"Let $\mathbf{a}$, $\mathbf{b}$ be matrices. \[ \mathbf{c} = \mathbf{a} \mathbf{b}^2 \]",
+            r"\mathbf{c} = \mathbf{b}^2 \mathbf{a}",
+        ),
     ] {
         let text = format!("{before}\n\\[ {claim} \\]\n");
         let found = decisions(&document(&text, &[]));

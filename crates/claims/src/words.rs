@@ -194,7 +194,7 @@ impl WordQuestion {
         let holds_bound = |name: &Name| name.base.contains(BOUND[0]) && !operators.is_empty() && is_opaque(name);
         let is_operator = |name: &Name| operators.contains(&name.to_string()) || is_member(name) || holds_bound(name);
         let mut reader = Reader::new(&is_operator);
-        reader.may_transpose = !operators.is_empty();
+        (reader.may_transpose, reader.has_columns) = (!operators.is_empty(), columns);
         for local in &statements.locals {
             reader.give(&local.name, &local.tree);
         }
@@ -268,6 +268,8 @@ pub(super) struct Reader<'a> {
     met: BTreeMap<String, Words>,
     /// What was inverted, as it prints first, by the names of the inverses.
     inverted: BTreeMap<String, String>,
+    /// Whether small letters in bold are columns.
+    has_columns: bool,
     /// Whether an adjoint was met, which takes conjugates.
     has_adjoints: bool,
     /// Whether `A^T` may be a transpose, and no power.
@@ -285,6 +287,7 @@ impl<'a> Reader<'a> {
             values: BTreeMap::new(),
             met: BTreeMap::new(),
             inverted: BTreeMap::new(),
+            has_columns: true,
             has_adjoints: false,
             may_transpose: false,
             provided: BTreeSet::new(),
@@ -368,8 +371,8 @@ impl<'a> Reader<'a> {
             // what is printed above a letter is an index
             Tree::Power(of, 0 | 1, _) if matches!(**of, Tree::Symbol(..)) => None,
             // the square of a vector is that of its length
-            Tree::Power(of, 2, _) if vector_within(of).is_some() => {
-                let vector = vector_within(of)?;
+            Tree::Power(of, 2, _) if self.vector_within(of).is_some() => {
+                let vector = self.vector_within(of)?;
                 self.bilinear(vector, vector, depth, true)
             }
             Tree::Power(of, exponent, _) if exponent.abs() <= HIGHEST_POWER => {
@@ -600,7 +603,9 @@ impl<'a> Reader<'a> {
                     return None;
                 }
                 // what may be a matrix keeps its place
-                let are_vectors = [one, other].iter().all(|word| word.letters.iter().all(is_vector));
+                let are_vectors = [one, other]
+                    .iter()
+                    .all(|word| word.letters.iter().all(|letter| self.is_vector(letter)));
                 let is_turned = vectors[0] > vectors[1] && (!is_dot || are_vectors);
                 if is_turned {
                     vectors.reverse();
@@ -621,6 +626,27 @@ impl<'a> Reader<'a> {
             }
         }
         Some(sum)
+    }
+
+    /// Returns true for a letter that is a vector, and no matrix.
+    fn is_vector(&self, letter: &Letter) -> bool {
+        let has_arrow = ARROWS.iter().any(|arrow| letter.name.contains(arrow));
+        is_vector(letter) && (self.has_columns || has_arrow)
+    }
+
+    /// The vector that a tree is, or is the length of.
+    fn vector_within<'t>(&self, tree: &'t Tree) -> Option<&'t Tree> {
+        match tree {
+            Tree::Symbol(name, _) => {
+                let letter = Letter {
+                    name: name.to_string(),
+                    is_transposed: false,
+                };
+                self.is_vector(&letter).then_some(tree)
+            }
+            Tree::Call(name, of, _) if name.base == r"\abs" => self.vector_within(of),
+            _ => None,
+        }
     }
 
     /// The inverse of a sum: of one commuting word its inverse, else a factor of its own.
@@ -741,19 +767,6 @@ fn is_vector(letter: &Letter) -> bool {
             .starts_with(|c: char| c.is_ascii_lowercase())
     };
     !letter.is_transposed && (ARROWS.iter().any(|arrow| letter.name.contains(arrow)) || of.is_some_and(is_small))
-}
-
-/// The vector that a tree is, or is the length of.
-fn vector_within(tree: &Tree) -> Option<&Tree> {
-    match tree {
-        Tree::Symbol(name, _) => is_vector(&Letter {
-            name: name.to_string(),
-            is_transposed: false,
-        })
-        .then_some(tree),
-        Tree::Call(name, of, _) if name.base == r"\abs" => vector_within(of),
-        _ => None,
-    }
 }
 
 /// The characters around the sign of a bound letter.
