@@ -81,7 +81,7 @@ pub struct Entry {
     pub operators: BTreeSet<String>,
     /// Those of them that are 1.
     pub identities: BTreeSet<String>,
-    /// Whether small letters among them are columns.
+    /// True if small letters among them are columns.
     pub columns: bool,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
@@ -150,10 +150,10 @@ pub(super) struct RawEntry {
     /// Those of them that are 1.
     #[serde(default)]
     pub identities: Vec<String>,
-    /// Whether small letters among them are columns.
+    /// True if small letters among them are columns.
     #[serde(default)]
     pub columns: bool,
-    /// What is doubted of a proof for real numbers, as it speaks of more, a question each.
+    /// The questions that a proof for real numbers leaves open, as the entry speaks of more.
     #[serde(default)]
     pub marked: Vec<String>,
     /// A reason why the entry is not read, beyond its formulas.

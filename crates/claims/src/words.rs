@@ -73,8 +73,7 @@ impl Word {
 
     /// Counts its factors under an arrow: a product of these is a number, and not associative.
     pub fn vectors(&self) -> usize {
-        let is_arrow = |letter: &&Letter| ARROWS.iter().any(|arrow| letter.name.contains(arrow));
-        self.letters.iter().filter(is_arrow).count()
+        self.letters.iter().filter(|letter| has_arrow(letter)).count()
     }
 }
 
@@ -131,6 +130,7 @@ impl Words {
         words
     }
 
+    /// Returns the sum with each coefficient negated.
     pub fn negated(&self) -> Self {
         let mut words = Self::default();
         words.add_between(&-Rational::one(), &Word::default(), self, &Word::default());
@@ -163,13 +163,13 @@ impl Words {
     }
 }
 
-/// What a claim says of letters that need not commute: sums of words that vanish where those that are given do.
+/// A claim about letters that need not commute: sums of words that vanish where those that are given do.
 #[derive(Clone, Debug, Default)]
 pub struct WordQuestion {
     pub claims: Vec<Words>,
-    /// What premises say, and that each inverse is one.
+    /// The premises, and that each inverse is one, as sums that vanish.
     pub givens: Vec<Words>,
-    /// What sums are taken to have: no fewer terms than none, `n \ge 0`.
+    /// Conditions that the claim rests on: lengths of sums, `n \ge 0`, and inverses that it brings in.
     pub provided: Vec<String>,
 }
 
@@ -268,11 +268,11 @@ pub(super) struct Reader<'a> {
     met: BTreeMap<String, Words>,
     /// What was inverted, as it prints first, by the names of the inverses.
     inverted: BTreeMap<String, String>,
-    /// Whether small letters in bold are columns.
+    /// True if small letters in bold are columns.
     has_columns: bool,
-    /// Whether an adjoint was met, which takes conjugates.
+    /// True if an adjoint was met, which takes conjugates.
     has_adjoints: bool,
-    /// Whether `A^T` may be a transpose, and no power.
+    /// True if `A^T` may be a transpose, and no power.
     may_transpose: bool,
     /// Conditions under which the lengths of sums are what they are taken to be.
     provided: BTreeSet<String>,
@@ -630,8 +630,7 @@ impl<'a> Reader<'a> {
 
     /// Returns true for a letter that is a vector, and no matrix.
     fn is_vector(&self, letter: &Letter) -> bool {
-        let has_arrow = ARROWS.iter().any(|arrow| letter.name.contains(arrow));
-        is_vector(letter) && (self.has_columns || has_arrow)
+        is_vector(letter) && (self.has_columns || has_arrow(letter))
     }
 
     /// The vector that a tree is, or is the length of.
@@ -759,6 +758,11 @@ fn is_small(name: &str) -> bool {
     is_name && letter.starts_with(|c: char| c.is_ascii_lowercase())
 }
 
+/// Returns true for a letter under an arrow.
+fn has_arrow(letter: &Letter) -> bool {
+    ARROWS.iter().any(|arrow| letter.name.contains(arrow))
+}
+
 /// Returns true for a small letter in bold, or one under an arrow: it is a vector, and no matrix.
 fn is_vector(letter: &Letter) -> bool {
     let of = BOLD.iter().find_map(|bold| letter.name.strip_prefix(bold));
@@ -766,7 +770,7 @@ fn is_vector(letter: &Letter) -> bool {
         of.trim_start_matches(['{', ' '])
             .starts_with(|c: char| c.is_ascii_lowercase())
     };
-    !letter.is_transposed && (ARROWS.iter().any(|arrow| letter.name.contains(arrow)) || of.is_some_and(is_small))
+    !letter.is_transposed && (has_arrow(letter) || of.is_some_and(is_small))
 }
 
 /// The characters around the sign of a bound letter.

@@ -146,14 +146,12 @@ fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
     };
     let entry = sheet.entries.get(position).filter(|entry| entry.assume.is_empty());
     entry.is_some_and(|entry| {
-        let equations = entry.equations.iter();
-        equations
-            .into_iter()
-            .any(|equation| any_side(equation, &mut |node| is_sum(node)))
+        let mut equations = entry.equations.iter();
+        equations.any(|equation| any_side(equation, &mut |node| is_sum(node)))
     })
 }
 
-/// What proves a claim as one about letters that need not commute, with the rules by which it was read.
+/// Returns what proves a claim as one about letters that need not commute, with the rules by which it was read.
 fn in_words(sheet: &Sheet, position: usize) -> Option<(WordQuestion, kernel::WordProof, Rules)> {
     let entry = sheet.entries.get(position)?;
     let statements = Decision::without_search(sheet, position).ok()?;
@@ -235,11 +233,7 @@ impl<'a> Search<'a> {
                 let decision = self.decide(sheet, position);
                 let is_open = matches!(decision.verdict, Verdict::Undecided | Verdict::Unread) && !decision.is_vacuous;
                 let is_of_sums = || is_open && !doubts.iter().any(is_marked) && speaks_of_sums(sheet, position);
-                let further = if is_of_sums() {
-                    self.in_words(sheet, position)
-                } else {
-                    None
-                };
+                let further = is_of_sums().then(|| self.in_words(sheet, position)).flatten();
                 further.unwrap_or(decision)
             }
         };

@@ -18,7 +18,7 @@ const MOST_STEPS: usize = 20_000;
 /// The most terms of a sum that is rewritten.
 const MOST_TERMS: usize = 400;
 
-/// How often numbers are chosen for the letters.
+/// The most choices of numbers for the letters.
 const MOST_CHOICES: u64 = 12;
 
 /// Returns what proves the claims, if it is found within the bounds.
@@ -74,7 +74,7 @@ struct Search {
     open: Vec<(usize, usize)>,
     /// Scalars that are divided by.
     inverted: BTreeSet<String>,
-    /// Whether nothing may be multiplied by letters.
+    /// True if nothing may be multiplied by letters.
     is_linear: bool,
     steps: usize,
 }
@@ -179,7 +179,7 @@ impl Search {
         Some((rest, multiples))
     }
 
-    /// What stands in front of and behind a word in another one, the scalars in front.
+    /// Returns what stands in front of and behind a word in another one, the scalars in front.
     fn around(&self, word: &Word, inner: &Word) -> Option<(Word, Word)> {
         let length = inner.letters.len();
         if length > word.letters.len() || (self.is_linear && length != word.letters.len()) {
@@ -291,8 +291,8 @@ impl Search {
 
 /// Numbers for all letters of which what is given holds, each solved for a letter that it is linear in.
 fn point(question: &WordQuestion) -> Option<BTreeMap<String, Rational>> {
-    // inverses, which are given last, before the rest, and those of letters before those of sums of them
-    // and what holds of all numbers asks for none
+    // inverses, which are given last, before the rest, and those of letters before those of sums of them;
+    // what holds of all numbers leaves the letters open
     let mut givens: Vec<&Words> = question.givens.iter().rev().filter(|given| !vanishes(given)).collect();
     givens.sort_by_key(|given| names(given).len());
     (0..MOST_CHOICES).find_map(|seed| {
@@ -411,7 +411,7 @@ fn value(sum: &Words, values: &BTreeMap<String, Rational>) -> Option<Rational> {
     Some(total)
 }
 
-/// How often a factor stands in a word; nothing where it is divided by.
+/// Returns how often a factor stands in a word; nothing where it is divided by.
 fn degree(word: &Word, name: &str) -> Option<usize> {
     let letters = word.letters.iter().filter(|letter| letter.name == name).count();
     let power = word.scalars.get(name).copied().unwrap_or_default();

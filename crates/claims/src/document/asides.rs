@@ -93,7 +93,7 @@ const ELSEWHERE: [&str; 9] = [
     "``",
 ];
 
-/// What a formula has that gives no letter and states no equality of values.
+/// Signs of formulas that give no letter a value and state no equality of values.
 const NO_EQUALITIES: [&str; 24] = [
     "<",
     ">",

@@ -130,14 +130,14 @@ fn is_typographic(name: &Name) -> bool {
     is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &accents)
 }
 
-/// What a claim speaks of that its document marks as more than real numbers.
+/// The letters of a claim that its document marks as more than real numbers.
 #[derive(Default)]
 pub(super) struct Marked {
     /// The letters that need not commute; none where it is the same for the claim.
     pub operators: Vec<String>,
     /// Those of them that are 1.
     pub identities: Vec<String>,
-    /// What is doubted of a proof for real numbers, a question each.
+    /// The questions that a proof for real numbers leaves open.
     pub doubts: Vec<String>,
 }
 
@@ -611,7 +611,7 @@ impl Marks {
         }
     }
 
-    /// What a claim speaks of that is marked; `is_free` says that no definition gives a letter.
+    /// Returns the marked letters that a claim speaks of; `is_free` says that no definition gives a letter.
     pub fn marked(&self, stated: &Stated<'_>, is_free: &dyn Fn(&Name) -> bool) -> Marked {
         let all = || stated.own.iter().chain(&stated.below);
         let found = |marked: &BTreeSet<Name>| -> Vec<String> {

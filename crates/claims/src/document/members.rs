@@ -9,11 +9,12 @@ pub(super) struct Members {
     pub operators: BTreeSet<String>,
     /// Those of them that are called matrices.
     pub matrices: BTreeSet<String>,
-    /// Whether the text speaks of `T` by itself, as of a temperature or a period.
+    /// True if the text speaks of `T` by itself, as of a temperature or a period.
     pub t_is_letter: bool,
-    /// Whether the text speaks of `I` by itself, and of no identity.
+    /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
-    /// Whether small letters are called matrices or rows.
+    /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
+    /// quaternions.
     pub has_other_columns: bool,
 }
 

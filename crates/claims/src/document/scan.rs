@@ -63,7 +63,7 @@ pub(super) struct Formula {
     pub comments: Vec<usize>,
     /// Whether they stand behind its display, and are about all of that.
     pub is_of_display: bool,
-    /// Whether it stands within the text.
+    /// True if it stands within the text.
     pub is_aside: bool,
 }
 
@@ -71,7 +71,7 @@ pub(super) struct Formula {
 #[derive(Clone, Debug)]
 pub(super) struct Aside {
     pub formula: Formula,
-    /// Whether it is said of the display before it.
+    /// True if it is said of the display before it.
     pub is_behind: bool,
     pub after: usize,
 }
