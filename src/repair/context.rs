@@ -122,6 +122,14 @@ impl Context {
                 }
             }
         }
+        for (name, length) in symbols.abbreviations() {
+            let is_met =
+                |tree: &Tree| times.contains(tree) || matches!(tree, Tree::Negate(inner) if times.contains(inner));
+            if parts(length).iter().all(is_met) {
+                keep(&mut self.symbols, name);
+                self.take_atom(Tree::Symbol(name.clone(), At::default()));
+            }
+        }
         // the values of states at the impacts that are met
         let subscripts: BTreeSet<String> = times
             .iter()
@@ -156,15 +164,9 @@ impl Context {
             ));
         }
         for name in &names {
+            keep(&mut self.called, name);
             for time in &times {
                 self.take_atom(Tree::Call(name.clone(), Box::new(time.clone()), At::default()));
-            }
-        }
-        for (name, length) in symbols.abbreviations() {
-            let is_met =
-                |tree: &Tree| times.contains(tree) || matches!(tree, Tree::Negate(inner) if times.contains(inner));
-            if parts(length).iter().all(is_met) {
-                self.take_atom(Tree::Symbol(name.clone(), At::default()));
             }
         }
         // what an elementary function of the time is then, and what is longer and speaks of a function
@@ -219,7 +221,8 @@ impl Context {
         }
     }
 
-    /// Takes in what is met with what is there: the sine with the cosine, a derivative with those below it.
+    /// Takes in what is met with what is there: the sine with the cosine and with that of the letter at another index, a
+    /// derivative with those below it.
     fn take_partners(&mut self, sheet: &Sheet) {
         for atom in self.atoms.clone() {
             match atom {
@@ -229,6 +232,15 @@ impl Context {
                         base if base == *other => Some(*one),
                         _ => None,
                     });
+                    if let (Tree::Symbol(letter, _), true) = (&*argument, name.base.starts_with('\\')) {
+                        let others = self
+                            .symbols
+                            .iter()
+                            .filter(|other| other.base == letter.base && *other != letter);
+                        for other in others.cloned().collect::<Vec<_>>() {
+                            self.take_atom(Tree::Call(name.clone(), Box::new(Tree::Symbol(other, at)), at));
+                        }
+                    }
                     for partner in partners {
                         let base = partner.to_owned();
                         let name = Name { base, ..name.clone() };
@@ -241,6 +253,9 @@ impl Context {
                         ..Name::default()
                     };
                     self.take_atom(Tree::Call(name, Box::new(atom), at));
+                }
+                Tree::Symbol(name, at) if sheet.symbols.is_function(&name.dotted()) => {
+                    self.take_atom(Tree::Symbol(name.dotted(), at));
                 }
                 Tree::Symbol(name, at) if name.accents.last().is_some_and(|accent| accent == r"\ddot") => {
                     let mut accents = name.accents.clone();
@@ -265,11 +280,6 @@ impl Context {
     /// Takes in what stands in a tree; `bears` says whether it bears on the claim.
     fn take(&mut self, tree: &Tree, bears: bool, is_other: bool) {
         walk(tree, None, &mut Vec::new(), &mut |node, _, _| {
-            let keep = |list: &mut Vec<Name>, name: &Name| {
-                if list.len() < MOST_NAMES && !list.contains(name) {
-                    list.push(name.clone());
-                }
-            };
             match node {
                 Tree::Symbol(name, _) => keep(&mut self.symbols, name),
                 Tree::Call(name, ..) => keep(&mut self.called, name),
@@ -284,7 +294,10 @@ impl Context {
                 }
                 _ => {}
             }
-            let is_atom = matches!(node, Tree::Symbol(..) | Tree::Call(..) | Tree::Partial { .. });
+            let is_atom = matches!(
+                node,
+                Tree::Symbol(..) | Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. }
+            );
             if bears && is_atom && !self.atoms.contains(node) {
                 self.atoms.push(node.clone());
             }
@@ -406,6 +419,13 @@ impl Context {
         );
         let own = u32::from(is_long && self.said.contains(tree));
         own + parts(tree).iter().map(|part| self.agreement(part)).sum::<u32>()
+    }
+}
+
+/// Adds a name to a list, but for the most names.
+fn keep(list: &mut Vec<Name>, name: &Name) {
+    if list.len() < MOST_NAMES && !list.contains(name) {
+        list.push(name.clone());
     }
 }
 

@@ -1,7 +1,7 @@
 //! What may be missing in a formula: numbers, names, products and sums of names, longer parts of what is given.
 
 use super::context::Context;
-use super::edit::{number, product, quotient, sum};
+use super::edit::{number, pi, product, quotient, sum};
 use super::path::size;
 use crate::evidence::sampled::{Leaves, Number, Value, real};
 use crate::number::{Field, Rational};
@@ -81,11 +81,11 @@ impl Dictionaries {
         }
     }
 
-    /// What a factor may be: an entry, or where `joined` a product of two, a sum of two short products, or 1 and a
-    /// product of two.
-    pub fn factor(&self, wanted: &Wanted, joined: bool) -> Vec<Tree> {
+    /// What a factor may be, with whether it is negative: an entry, or where `joined` a product of two, a sum of two short
+    /// products, or 1 and a product of two, none of them negative.
+    pub fn factor(&self, wanted: &Wanted, joined: bool) -> Vec<(Tree, bool)> {
         if !joined {
-            return positive(self.factors.find(wanted));
+            return signed(self.factors.find(wanted));
         }
         let mut found = self.factors.products(wanted);
         found.extend(self.sums(wanted));
@@ -96,14 +96,13 @@ impl Dictionaries {
                 found.push(sum(vec![number(1), tree]));
             }
         }
-        shortest(found)
+        shortest(found).into_iter().map(|tree| (tree, false)).collect()
     }
 
     /// What a term may be, with whether it is negative: an entry, or where `joined` a product of two, or a sum of two.
     pub fn term(&self, wanted: &Wanted, joined: bool) -> Vec<(Tree, bool)> {
         if !joined {
-            let found = self.terms.find(wanted).into_iter();
-            return found.map(|(tree, negative)| (tree.clone(), negative)).collect();
+            return signed(self.terms.find(wanted));
         }
         let mut found: Vec<(Tree, bool)> = Vec::new();
         for negative in [false, true] {
@@ -111,6 +110,8 @@ impl Dictionaries {
             found.extend(self.factors.products(&of).into_iter().map(|tree| (tree, negative)));
         }
         found.extend(self.sums(wanted).into_iter().map(|tree| (tree, false)));
+        let opposite = wanted.map(|_, value| -value);
+        found.extend(self.sums_of_positive(&opposite).into_iter().map(|tree| (tree, true)));
         // a sum times a value of a function
         for call in self
             .summands
@@ -126,6 +127,15 @@ impl Dictionaries {
         }
         found.sort_by_key(|(tree, _)| size(tree));
         found.truncate(MOST_PAIRS);
+        found
+    }
+
+    /// The sums of two short products, and no differences.
+    fn sums_of_positive(&self, wanted: &Wanted) -> Vec<Tree> {
+        let mut found = self.sums(wanted);
+        found.retain(
+            |tree| !matches!(tree, Tree::Sum(terms) if terms.iter().any(|term| matches!(term, Tree::Negate(_)))),
+        );
         found
     }
 
@@ -146,9 +156,9 @@ impl Dictionaries {
     }
 }
 
-fn positive(found: Vec<(&Tree, bool)>) -> Vec<Tree> {
-    let kept = found.into_iter().filter(|(_, negative)| !negative);
-    kept.map(|(tree, _)| tree.clone()).collect()
+fn signed(found: Vec<(&Tree, bool)>) -> Vec<(Tree, bool)> {
+    let found = found.into_iter();
+    found.map(|(tree, negative)| (tree.clone(), negative)).collect()
 }
 
 fn shortest(mut found: Vec<Tree>) -> Vec<Tree> {
@@ -239,8 +249,9 @@ impl Dictionary {
     }
 
     fn summands(atoms: &[Entry], parts: &[Entry], points: usize) -> Self {
-        let atoms = atoms.get(..MOST_SUMMED).unwrap_or(atoms);
         let mut entries = vec![one(points)];
+        entries.extend_from_slice(atoms);
+        let atoms = atoms.get(..MOST_SUMMED).unwrap_or(atoms);
         for (n, atom) in atoms.iter().enumerate() {
             for (m, other) in atoms.iter().enumerate().skip(n) {
                 let two = atom.by(other, |x, y| x * y, joined(&atom.tree, &other.tree));
@@ -250,7 +261,6 @@ impl Dictionary {
                 entries.push(two);
             }
         }
-        entries.extend_from_slice(atoms);
         let products = parts.iter().filter(|part| !matches!(part.tree, Tree::Sum(_)));
         entries.extend(products.cloned());
         Self::of(entries)
@@ -408,12 +418,8 @@ fn numbers(points: usize) -> Vec<Entry> {
             entries.push(Entry { tree, values });
         }
     }
-    let pi = Name {
-        base: r"\pi".to_owned(),
-        ..Name::default()
-    };
     entries.push(Entry {
-        tree: Tree::Symbol(pi, At::default()),
+        tree: pi(),
         values: vec![real(std::f64::consts::PI); points],
     });
     entries

@@ -27,6 +27,16 @@ pub fn number(value: i64) -> Tree {
     Tree::Number(Rational::from_integer(value))
 }
 
+/// The number pi.
+pub fn pi() -> Tree {
+    let base = r"\pi".to_owned();
+    let name = Name {
+        base,
+        ..Name::default()
+    };
+    Tree::Symbol(name, At::default())
+}
+
 fn is_number(tree: &Tree, value: i64) -> bool {
     *tree == number(value)
 }

@@ -25,7 +25,7 @@ use crate::claim::{Entry, Sheet};
 use crate::prove::Options;
 use crate::tex::{Equation, Tree, any};
 use candidate::Formula;
-use monomial::is_same_product;
+use monomial::{is_balanced, is_same_product};
 use printed::proved_as_printed;
 use search::{Found, Search};
 use std::fmt;
@@ -242,7 +242,7 @@ fn proved(
 fn says_nothing(equation: &Equation, printed: Option<&Formula>, may_balance: bool) -> bool {
     let either = |equation: &Equation| speaks(&equation.left) || speaks(&equation.right);
     let is_same = match may_balance {
-        true => is_same_product(&equation.left, &equation.right),
+        true => printed.is_some_and(|printed| is_balanced(equation, &printed.equation)),
         false => equation.left.to_string() == equation.right.to_string(),
     };
     is_same || (!either(equation) && printed.is_some_and(|printed| either(&printed.equation)))

@@ -1,7 +1,7 @@
 //! How a formula is written as one product, whatever the order and the grouping of its factors.
 
 use crate::number::{Field, Rational};
-use crate::tex::Tree;
+use crate::tex::{Equation, Tree};
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
@@ -16,6 +16,23 @@ struct Monomial {
 /// Whether two formulas are the same product: nothing is multiplied out, no function is known but that ln e is 1.
 pub fn is_same_product(one: &Tree, other: &Tree) -> bool {
     Monomial::of(one) == Monomial::of(other)
+}
+
+/// Returns true if both sides of an equation are the same product by how they are written, which says nothing: a side that was
+/// printed so, and adds up multiples of one product, says that they are that much.
+pub fn is_balanced(equation: &Equation, printed: &Equation) -> bool {
+    let says_a_sum = |side: &Tree, printed: &Tree| side == printed && adds_multiples(side);
+    is_same_product(&equation.left, &equation.right)
+        && !says_a_sum(&equation.left, &printed.left)
+        && !says_a_sum(&equation.right, &printed.right)
+}
+
+/// Returns true for a sum of terms that are multiples of one product and do not cancel.
+fn adds_multiples(tree: &Tree) -> bool {
+    let Tree::Sum(terms) = tree else { return false };
+    let terms = flattened(terms, false);
+    let mut pairs = terms.iter().zip(terms.iter().skip(1));
+    pairs.all(|(one, other)| one.powers == other.powers) && !Monomial::of(tree).number.is_zero()
 }
 
 /// Returns true if a formula is a rational number, whatever symbols cancel in it.
@@ -173,6 +190,18 @@ mod tests {
         ] {
             assert!(is_same(equation), "{equation}");
         }
+    }
+
+    #[test]
+    fn a_sum_of_multiples_that_was_printed_says_how_much_they_are() {
+        let read = |tex: &str| read(tex, &Names::default()).expect("an equation").remove(0);
+        let is_balanced = |new: &str, printed: &str| is_balanced(&read(new), &read(printed));
+        assert!(!is_balanced(
+            r"\frac{a}{12} + \frac{a}{4} = \frac{a}{3}",
+            r"\frac{a}{12} + \frac{a}{4} = \frac{1}{3}"
+        ));
+        assert!(is_balanced(r"a + b - b = a", r"a + b = a"));
+        assert!(is_balanced(r"a b = b a", r"a b = b"));
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub fn with(tree: &Tree, path: &[usize], new: &Tree) -> Tree {
     })
 }
 
-/// The equation with a node replaced.
+/// The equation with a node replaced, and no minus before a side that is 0 by that.
 pub fn replaced(equation: &Equation, path: &[usize], new: &Tree) -> Equation {
     let mut equation = equation.clone();
     if let Some((side, rest)) = path.split_first() {
@@ -31,7 +31,13 @@ pub fn replaced(equation: &Equation, path: &[usize], new: &Tree) -> Equation {
             0 => &mut equation.left,
             _ => &mut equation.right,
         };
-        *side = with(side, rest, new);
+        let is_zero = matches!(new, Tree::Number(number) if number.0.is_zero());
+        let is_negative = matches!(side, Tree::Negate(_)) && rest.len() == 1;
+        *side = if is_zero && is_negative {
+            new.clone()
+        } else {
+            with(side, rest, new)
+        };
     }
     equation
 }
@@ -39,14 +45,15 @@ pub fn replaced(equation: &Equation, path: &[usize], new: &Tree) -> Equation {
 /// The node at the end of the path.
 pub fn node(equation: &Equation, path: &[usize]) -> Option<Tree> {
     let (side, rest) = path.split_first()?;
-    let mut tree = match side {
-        0 => equation.left.clone(),
-        _ => equation.right.clone(),
-    };
-    for &place in rest {
-        tree = parts(&tree).into_iter().nth(place)?;
+    match side {
+        0 => at(&equation.left, rest),
+        _ => at(&equation.right, rest),
     }
-    Some(tree)
+}
+
+fn at(tree: &Tree, path: &[usize]) -> Option<Tree> {
+    let below = |tree: Tree, &place: &usize| parts(&tree).into_iter().nth(place);
+    path.iter().try_fold(tree.clone(), below)
 }
 
 /// What is called with a node of a tree, the node above it, and its path.
@@ -80,6 +87,14 @@ mod tests {
         assert_eq!(node(&equation, &path).unwrap().to_string(), "b");
         let new = read_expression("y^2", &names).unwrap();
         assert_eq!(replaced(&equation, &path, &new).to_string(), r"x = \frac{a + y^2}{c} d");
+        let zero = super::super::edit::number(0);
+        for (negative, path, with_zero) in [
+            ("x = -a", [1, 0].as_slice(), "x = 0"),
+            ("x = b - a", &[1, 1, 0], "x = b - 0"),
+        ] {
+            let negative = read(negative, &names).unwrap().remove(0);
+            assert_eq!(replaced(&negative, path, &zero).to_string(), with_zero);
+        }
         let mut found = 0;
         for side in [&equation.left, &equation.right] {
             walk(side, None, &mut Vec::new(), &mut |_, _, _| found += 1);

@@ -1,7 +1,7 @@
 //! A repair as it is shown: the whole formula as printed, conditions included, with the mended equations put into its TeX; and
 //! the gate that each repair goes through, which reads and proves what is shown.
 
-use super::monomial::{is_number, is_same_product};
+use super::monomial::{is_balanced, is_number, is_same_product};
 use super::search::names_in;
 use super::{Part, speaks};
 use crate::claim::{Entry, Sheet, Verdict};
@@ -189,7 +189,7 @@ fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_
         && is_same_product(&old.right, &new.right);
     // where an edit may only balance the sides, the same product on both says nothing
     let is_empty = match may_balance {
-        true => is_same_product(&new.left, &new.right),
+        true => is_balanced(new, old),
         false => new.left == new.right,
     };
     let is_gone = |old: &Tree, new: &Tree| speaks(old) && !is_number(old) && (is_number(new) || !speaks(new));
@@ -226,22 +226,33 @@ fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_
         && !drops_a_name()
 }
 
-/// The number of nodes in which something cancels as it stands: `\frac{x}{x}`, `x - x`, `x \frac{a}{x}`. They come of edits that
-/// balance the sides, and no author means them.
+/// The number of nodes in which something cancels as it stands: `\frac{x}{x}`, `\frac{a x}{b x}`, `x - x`, `x \frac{a}{x}`. They
+/// come of edits that balance the sides, and no author means them.
 fn cancelling(tree: &Tree) -> usize {
+    let share = |one: &[Tree], other: &[Tree]| one.iter().any(|factor| speaks(factor) && other.contains(factor));
     let own = match tree {
-        Tree::Quotient(above, below, _) => speaks(below) && is_same_product(above, below),
+        Tree::Quotient(above, below, _) => {
+            (speaks(below) && is_same_product(above, below)) || share(factors_of(above), factors_of(below))
+        }
         Tree::Sum(terms) => terms.iter().any(|term| match term {
             Tree::Negate(inner) => speaks(inner) && terms.contains(inner),
             _ => false,
         }),
         Tree::Product(factors) => factors.iter().any(|factor| match factor {
-            Tree::Quotient(_, below, _) => speaks(below) && factors.contains(below),
+            Tree::Quotient(_, below, _) => share(factors_of(below), factors),
             _ => false,
         }),
         _ => false,
     };
     usize::from(own) + super::parts(tree).iter().map(cancelling).sum::<usize>()
+}
+
+/// The factors of a product; anything else is the only one.
+fn factors_of(tree: &Tree) -> &[Tree] {
+    match tree {
+        Tree::Product(factors) => factors,
+        one => std::slice::from_ref(one),
+    }
 }
 
 #[cfg(test)]

@@ -61,8 +61,11 @@ const NOTHING: f64 = 1e-9;
 const OF_FRACTION: u32 = 4;
 const OF_SUBJECT: u32 = 4;
 
-/// By how much an edit counts as larger that makes a sum of a whole side.
-const OF_SIDE: u32 = 2;
+/// By how much an edit counts as larger that makes a sum of what is none.
+const OF_SUM: u32 = 2;
+
+/// By how much an edit counts as larger that changes a sign beside.
+const OF_SIGN: u32 = 2;
 
 /// By how much an edit counts as larger that makes a power of a side for a power on the other.
 const OF_POWER: u32 = 4;
@@ -292,9 +295,13 @@ impl<'a> Search<'a> {
                 let equation = mended.iter().find(|(number, _)| *number == candidate.formula);
                 let term = equation.and_then(|(_, equation)| term_around(equation, &candidate.path));
                 match term {
+                    _ if candidate.edit.relation.is_some() => {}
                     // each name stands elsewhere
-                    Some(Tree::Symbol(..)) if candidate.path.as_slice() == [0] => found.cost += OF_SUBJECT,
-                    _ if self.makes_sum_of_side(candidate) => found.cost += OF_SIDE,
+                    Some(Tree::Symbol(..)) if candidate.path.as_slice() == [0] && !self.is_of_subject(candidate) => {
+                        found.cost += OF_SUBJECT;
+                    }
+                    _ if self.puts_in_a_side(candidate) => found.cost += OF_SUBJECT,
+                    _ if self.makes_sum(candidate) => found.cost += OF_SUM,
                     _ if self.balances_a_power(candidate) => found.cost += OF_POWER,
                     // of its sign nothing is said elsewhere
                     Some(term) if self.is_printed(candidate, &term) => {}
@@ -333,6 +340,14 @@ impl<'a> Search<'a> {
         found
     }
 
+    /// Whether an edit takes the power from the quantity that the formula is about.
+    fn is_of_subject(&self, candidate: &Candidate) -> bool {
+        let printed = self.formulas.get(candidate.formula);
+        printed.is_some_and(
+            |printed| matches!(&printed.equation.left, Tree::Power(base, ..) if **base == candidate.edit.tree),
+        )
+    }
+
     /// Whether an edit puts in what stands on a whole side: so any sides are balanced.
     fn puts_in_a_side(&self, candidate: &Candidate) -> bool {
         let Some(printed) = self.formulas.get(candidate.formula).map(|formula| &formula.equation) else {
@@ -345,13 +360,12 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Whether an edit makes a sum of a side that is none, and begins with no minus.
-    fn makes_sum_of_side(&self, candidate: &Candidate) -> bool {
+    /// Whether an edit makes a sum of a side, or of a part of a term, that is none, no number, and begins with no minus.
+    fn makes_sum(&self, candidate: &Candidate) -> bool {
         let printed = self.formulas.get(candidate.formula);
-        let side = printed.and_then(|printed| node(&printed.equation, &candidate.path));
-        candidate.path.len() == 1
-            && matches!(candidate.edit.tree, Tree::Sum(_))
-            && !matches!(side, Some(Tree::Sum(_) | Tree::Negate(_)))
+        let part = printed.and_then(|printed| node(&printed.equation, &candidate.path));
+        matches!(candidate.edit.tree, Tree::Sum(_))
+            && !matches!(part, Some(Tree::Sum(_) | Tree::Negate(_) | Tree::Number(_)))
     }
 
     /// Whether an edit of one side puts in the base of a power that is the other side, or squares the side: it balances an
@@ -577,12 +591,8 @@ fn term_around(equation: &Equation, path: &[usize]) -> Option<Tree> {
 /// Every edit of every node.
 fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     let mut found = Vec::new();
-    let pi = Name {
-        base: r"\pi".to_owned(),
-        ..Name::default()
-    };
     let mut numbers = [2, 3, 4].map(edit::number).to_vec();
-    numbers.push(Tree::Symbol(pi, At::default()));
+    numbers.push(edit::pi());
     // elsewhere what lacks is looked up by its value
     let has_operation = formulas.iter().any(Formula::has_operation);
     let is_bar =
@@ -595,6 +605,14 @@ fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
         // a chain rule forgotten leaves both out
         let multiples = |atom| numbers.iter().map(move |number| times(atom, number));
         factors.extend(context.atoms.iter().flat_map(multiples));
+        // the mean over a period
+        let turn = edit::product(vec![edit::number(2), edit::pi()]);
+        factors.extend(
+            context
+                .atoms
+                .iter()
+                .map(|atom| edit::quotient(atom.clone(), turn.clone())),
+        );
     }
     for (number, formula) in formulas.iter().enumerate() {
         found.extend(edit::relations(&formula.equation).into_iter().map(|edit| Candidate {
@@ -656,12 +674,19 @@ fn takes_terms(node: &Tree, above: Option<&Tree>) -> bool {
     }
 }
 
-/// Every edit that puts in 1, a name, or the square of one as a term.
+/// Every edit that puts in 1, a name, or the square of one as a term, within an elementary
+/// function also a part of pi or a product of two names.
 fn additions(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     let square = |atom: &Tree| Tree::Power(Box::new(atom.clone()), 2, At::default());
     let mut terms = vec![edit::number(1)];
     terms.extend(context.atoms.iter().cloned());
     terms.extend(context.atoms.iter().map(square));
+    let pi = edit::pi();
+    let mut products = vec![edit::quotient(pi.clone(), edit::number(2)), pi];
+    for (n, one) in context.atoms.iter().enumerate() {
+        let others = context.atoms.iter().skip(n + 1);
+        products.extend(others.map(|other| edit::product(vec![one.clone(), other.clone()])));
+    }
     let mut found = Vec::new();
     for (number, formula) in formulas.iter().enumerate() {
         for (side, tree) in formula.sides() {
@@ -669,7 +694,10 @@ fn additions(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
                 if !takes_terms(node, above) || matches!(node, Tree::Operation(..)) {
                     return;
                 }
-                for (term, negative) in terms.iter().flat_map(|term| [(term, false), (term, true)]) {
+                // of what is within an elementary function nothing is looked up by its value
+                let is_argument = matches!(above, Some(Tree::Call(name, ..)) if name.base.starts_with('\\'));
+                let terms = terms.iter().chain(if is_argument { products.as_slice() } else { &[] });
+                for (term, negative) in terms.flat_map(|term| [(term, false), (term, true)]) {
                     found.push(Candidate {
                         formula: number,
                         path: std::iter::once(side).chain(path.iter().copied()).collect(),
@@ -888,11 +916,16 @@ impl Bench {
                 let is_one = node.tree == edit::number(1);
                 let found = found
                     .iter()
-                    .filter(|factor| !(is_one && matches!(factor, Tree::Sum(_))));
-                for factor in found.take(MOST_OF_DICTIONARY) {
+                    .filter(|(factor, _)| !(is_one && matches!(factor, Tree::Sum(_))));
+                for (factor, negative) in found.take(MOST_OF_DICTIONARY) {
                     let mut edit = missing_factor(factor, &node.tree, is_above);
                     if is_matrix && is_above {
                         edit.tree = times(factor, &node.tree);
+                    }
+                    if *negative {
+                        edit.tree = edit::negated(&edit.tree);
+                        edit.cost += OF_SIGN;
+                        edit.words = format!("{}, and the sign is wrong", edit.words);
                     }
                     add(edit);
                 }

@@ -438,6 +438,27 @@ fn what_is_missing_beside_sums_series_moduli_determinants_and_a_turned_relation_
 }
 
 #[test]
+fn what_is_missing_in_a_side_or_an_argument_is_mended_first() {
+    let cases = [
+        (
+            r"\frac{k m^2}{12} + \frac{k m^2}{4} = \frac{1}{3}",
+            r"\frac{k m^2}{12} + \frac{k m^2}{4} = \frac{k m^2}{3}",
+        ),
+        (r"\cos x = \sin x", r"\cos(x) = \sin(x + \frac{\pi}{2})"),
+        (r"\frac{x - x^2}{x - 1} = 1", r"\frac{x - x^2}{x - 1} = -x"),
+    ];
+    for (claim, wanted) in cases {
+        let text = format!(
+            "[symbols]\nparameters = ['x', 'k', 'm']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '{claim}'\n"
+        );
+        let sheet = Sheet::read(&text, &vocabulary()).unwrap();
+        let found = repairs(&sheet, 0, &Options::default()).found;
+        let first = found.first().map(ToString::to_string).unwrap_or_default();
+        assert_eq!(first, format!("${wanted}$"), "{claim}");
+    }
+}
+
+#[test]
 fn the_two_wrong_formulas_of_the_paper_are_mended_by_search() {
     let sheet = Sheet::read(PAPER, &vocabulary()).unwrap();
     let of = |label: &str| repairs(&sheet, sheet.find(label).unwrap(), &Options::default()).found;
