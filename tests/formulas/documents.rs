@@ -2026,6 +2026,49 @@ Let $u = x^2 + 1$. Then
 }
 
 #[test]
+fn what_the_text_says_holds_in_its_part_alone() {
+    let last = |text: &str| decisions(&document(text, &[])).pop().unwrap().verdict;
+    let sum = r"\[ y = a + b \] Hence \[ y = 2 a \]";
+    for part in [
+        r"\begin{example} Let $a = b$. \end{example}",
+        r"\begin{proof} Let $a = b$. Contradiction. \end{proof}",
+        r"\section{Symmetric case} Let $a = b$. \section{General case}",
+        "Case 1: let $a = b$. Case 2: let $a = c$.",
+        r"\begin{itemize} \item Let $a = b$. \item \end{itemize}",
+        "Let $a = b$, a special case.",
+    ] {
+        assert_ne!(last(&format!("{part} {sum}")), Verdict::Proved, "{part}");
+    }
+    assert_eq!(last(&format!("Let $a = b$. {sum}")), Verdict::Proved);
+    let within = format!(r"\begin{{example}} Let $a = b$. {sum} \end{{example}}");
+    assert_eq!(last(&within), Verdict::Proved);
+    // another value in each part
+    let two = r"\paragraph{One.} Let $u = x^2$. \[ y = u + 1 \] \paragraph{Two.} Let $u = 3 x$. \[ z = u - 1 \] \[ z = y - 2 \]";
+    assert_ne!(last(two), Verdict::Proved);
+}
+
+#[test]
+fn what_may_be_a_number_or_another_letter_is_no_sign_of_matrices() {
+    for text in [
+        r"\[ x_T = A^T x_0 \] \[ x_T^T = x_0^T A \]",
+        r"Let $0 \le t \le T$. \[ q = u^T v \] \[ q = v^T u \]",
+        r"\[ D = (1 + r)^T \] \[ K = D^T \] \[ K = 1 + r \]",
+        r"Let $A$ be a matrix. \[ A = S + I \] \[ A S = S^2 + S \]",
+        r"\[ V = I R \] \[ K = A^\top A + I \] \[ K A^\top = A^\top A A^\top + A^\top \]",
+        r"Let $a, b \in \mathbb{R}^{n \times n}$. \[ c = a^\top b \] \[ c = b^\top a \]",
+        r"\[ q q^\top = I \] \[ K = k^\top Q q \] \[ K = q^\top Q^\top k \]",
+        r"Let $A_i \in \mathbb{R}^{n \times n}$. \[ S = \sum_{i=1}^n A_i B \] \[ S = B \sum_{i=1}^n A_i \]",
+        r"\[ S = \sum_i \mathbf{x}_i \mathbf{y}_i^\top \] \[ S^\top = S \]",
+        r"Let $X \in \mathbb{R}^{n \times p}$. \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
+        r"\[ S = (I + G K)^{-1} \] \[ T = G K S \] \[ T = K S G \]",
+        r"\[ q = c k \] \[ S = \sum_{k=1}^n q k \] \[ S = c \sum_{k=1}^n k^2 \]",
+    ] {
+        let last = decisions(&document(text, &[])).pop().unwrap();
+        assert_ne!(last.verdict, Verdict::Proved, "{text}");
+    }
+}
+
+#[test]
 fn sums_of_unknown_length_are_linear() {
     let text = r"\begin{equation} \bar x = \frac1n \sum_{i=1}^n x_i \end{equation}
 \begin{equation} \sum_{i=1}^n (x_i - \bar x)^2 = \sum_{j=1}^n x_j^2 - n \bar x^2 \end{equation}

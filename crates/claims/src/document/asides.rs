@@ -25,7 +25,7 @@ const IN_FRONT: [&str; 14] = [
 const BETWEEN: [&str; 5] = ["and", ",", ", and", ", where", "and where"];
 
 /// Words in the rest of a sentence with which a formula may not hold, or not everywhere.
-const BUT: [&str; 52] = [
+const BUT: [&str; 53] = [
     "not",
     "no",
     "if",
@@ -51,6 +51,7 @@ const BUT: [&str; 52] = [
     "almost",
     "sign",
     "modulo",
+    "case",
     "asymptotically",
     "as",
     "initially",
@@ -149,6 +150,67 @@ pub(super) fn states(tex: &str) -> bool {
         && !NO_EQUALITIES.iter().any(|sign| is_there(sign))
 }
 
+/// Returns where what is said within the text at a place ends to hold: at the end of the environment or item around it, or at the
+/// next heading, `\section{...}`, `# ...` of Markdown, or a word with a number as `Case 2.` at the start of a sentence.
+pub(super) fn scope_end(text: &str, at: usize) -> usize {
+    let behind = text.get(at..).unwrap_or_default();
+    let mut depth = 0_usize;
+    for (offset, c) in behind.char_indices() {
+        let rest = behind.get(offset..).unwrap_or_default();
+        let before = behind.get(..offset).unwrap_or_default();
+        let begins_line = before.ends_with('\n');
+        if c == '\\' {
+            if rest.starts_with(r"\begin{") {
+                depth += 1;
+            } else if rest.starts_with(r"\end{") {
+                match depth.checked_sub(1) {
+                    Some(outer) => depth = outer,
+                    None => return at + offset,
+                }
+            } else if depth == 0 && HEADINGS.iter().any(|heading| starts_with_command(rest, heading)) {
+                return at + offset;
+            }
+        } else if depth == 0 && c == '#' && begins_line {
+            return at + offset;
+        } else if depth == 0 && c.is_ascii_uppercase() {
+            let lead = before.trim_end_matches([' ', '*', '_']);
+            let begins_sentence = lead.ends_with(['.', '\n', '}']) || lead.is_empty();
+            if begins_sentence && is_numbered_heading(rest) {
+                return at + offset;
+            }
+        }
+    }
+    text.len()
+}
+
+/// Commands that begin another part of a text.
+const HEADINGS: [&str; 7] = [
+    r"\part",
+    r"\chapter",
+    r"\section",
+    r"\subsection",
+    r"\subsubsection",
+    r"\paragraph",
+    r"\item",
+];
+
+fn starts_with_command(text: &str, command: &str) -> bool {
+    let behind = text.strip_prefix(command);
+    behind.is_some_and(|behind| !behind.starts_with(|c: char| c.is_ascii_alphabetic()))
+}
+
+/// Returns true for `Case 2.`, `Example 3.1:`.
+fn is_numbered_heading(text: &str) -> bool {
+    let word = text.chars().take_while(char::is_ascii_alphabetic).count();
+    let Some(number) = text.get(word..).and_then(|rest| rest.strip_prefix(' ')) else {
+        return false;
+    };
+    let digits = number.chars().take_while(|c| c.is_ascii_digit() || *c == '.').count();
+    let number = number.get(..digits).unwrap_or_default();
+    let behind = text.get(word + 1 + digits..).unwrap_or_default();
+    word > 2 && number.starts_with(|c: char| c.is_ascii_digit()) && (number.ends_with('.') || behind.starts_with(':'))
+}
+
 /// Returns true if nothing in the rest of its sentence, behind a formula, takes back that it holds: only more formulas, and what
 /// the letter is.
 pub(super) fn is_plain_behind(behind: &str) -> bool {
@@ -230,6 +292,27 @@ pub(super) fn announced(before: &str, since: Option<&str>, between: Option<(&str
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_said_holds_to_the_end_of_what_it_is_said_in() {
+        for text in [
+            r"Let $a = b$. \begin{equation} x \end{equation} Here | \section{Other} c",
+            r"\begin{lemma} Let $a = b$. |\end{lemma} c",
+            r"Let $a = b$. |\item c",
+            "Let $a = b$. |Case 2: c",
+            "Let $a = b$ as in Section 3. It is.\n|# Other",
+            "Let $a = b$. See Example 2. |",
+        ] {
+            let plain = text.replace('|', "");
+            let end = scope_end(&plain, plain.find('$').unwrap_or_default());
+            let found = plain.get(end..).unwrap_or_default();
+            assert_eq!(
+                found.trim_start(),
+                text.split('|').nth(1).unwrap_or_default().trim_start(),
+                "{text}"
+            );
+        }
+    }
 
     #[test]
     fn what_words_announce_is_told_from_cases() {

@@ -8,11 +8,12 @@ use super::super::sheet::{RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::factors::Factors;
 use super::marks::{Marked, Marks, OF_COMPLEX, Stated};
-use super::members::Members;
+use super::members::{Members, prints_letter_t};
 use super::outline::Outline;
 use super::scan::Formula;
 use crate::words::{Reader, is_sign_of_transpose, transposed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::ops::Range;
 use texmath::{
     BOLD, Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
     Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_constant, is_opaque, letters, names_in,
@@ -85,6 +86,8 @@ pub(super) struct Guess {
     given_functions: BTreeSet<Name>,
     /// The exceptions where terms that are not understood are symbols; none where nothing is guessed.
     opaque: Option<RawOpaque>,
+    /// True if small letters may be columns.
+    pub may_have_columns: bool,
     /// True if the document declares symbols.
     pub has_symbols: bool,
     /// True if it uses no others.
@@ -101,6 +104,13 @@ pub(super) struct Guess {
     definitions: HashMap<Name, String>,
     /// The names that formulas within the text define.
     in_passing: HashSet<Name>,
+    /// Where each formula stands in the text.
+    places: Vec<usize>,
+    /// The letters to which formulas within the text gave a value in a part of it, with that part, and of which others speak
+    /// behind it.
+    scopes: Vec<(Name, Range<usize>)>,
+    /// The formulas within the text that hold so far, by label, and where in the text they end to hold.
+    asides: Vec<(String, usize)>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
     /// The formulas that give a defined name once more.
@@ -469,6 +479,10 @@ impl Guess {
             .iter()
             .map(|formula| plain(formula.tex.as_deref().unwrap_or_default()));
         let called: BTreeSet<String> = shown.flat_map(|shown| called_with_a_letter(&shown)).collect();
+        let t_is_letter = members.t_is_letter
+            || formulas
+                .iter()
+                .any(|formula| prints_letter_t(formula.tex.as_deref().unwrap_or_default()));
         let (read, opaque) = loop {
             let opaque = (!is_strict).then(|| RawOpaque {
                 factors: factors.clone(),
@@ -480,7 +494,7 @@ impl Guess {
             let read: Vec<Vec<Equation>> = formulas.iter().map(|formula| stated(formula, &names)).collect();
             let hidden = hidden_functions(read.iter().flatten(), &given_functions);
             let defined = values_given(read.iter().flatten());
-            let is_sign = !transposes && !members.t_is_letter && is_sign_alone(read.iter().flatten());
+            let is_sign = !transposes && !t_is_letter && is_sign_alone(read.iter().flatten(), members.has_vectors);
             let are_known =
                 !is_sign && matrices_in(read.iter().flatten()).is_subset(&factors.union(&called).cloned().collect());
             if hidden.is_empty() && (rounds == 0 || (are_known && defined.is_subset(&values))) {
@@ -530,7 +544,7 @@ impl Guess {
         let called = all.iter().flat_map(|shown| letters_called(shown, &is_of_time));
         let prints_matrices =
             |shown: &String| OF_MATRICES.iter().any(|sign| shown.contains(sign)) || has_adjoint(shown);
-        let has_matrices = all.iter().any(prints_matrices);
+        let has_matrices = all.iter().any(prints_matrices) || !members.matrices.is_empty();
         let commutators: Vec<[String; 2]> = all.iter().flat_map(|shown| commutators(shown)).collect();
         let shown = formulas
             .iter()
@@ -552,6 +566,7 @@ impl Guess {
             marks,
             opaque,
             given_functions,
+            may_have_columns: Marks::may_have_columns(read.iter().flatten()),
             factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
             read,
@@ -566,6 +581,9 @@ impl Guess {
             outlines: Outlines::default(),
             definitions: HashMap::new(),
             in_passing: HashSet::new(),
+            places: formulas.iter().map(|formula| formula.part.start).collect(),
+            scopes: Vec::new(),
+            asides: Vec::new(),
             premises: Vec::new(),
             again: HashMap::new(),
             stated: Vec::new(),
@@ -579,9 +597,35 @@ impl Guess {
         }
     }
 
+    /// Forgets what formulas within the text said that no longer holds at this place of it.
+    pub fn leave(&mut self, place: usize) {
+        let ended: Vec<String> = self
+            .asides
+            .iter()
+            .filter(|(_, until)| *until <= place)
+            .map(|(label, _)| label.clone())
+            .collect();
+        if ended.is_empty() {
+            return;
+        }
+        self.asides.retain(|(label, _)| !ended.contains(label));
+        for labels in self.again.values_mut() {
+            labels.retain(|own| !ended.contains(own));
+        }
+        self.stated
+            .retain(|stating| !stating.chain.iter().any(|own| ended.contains(own)));
+    }
+
+    /// Returns true if a formula behind a place of the text speaks of a letter.
+    fn is_spoken_of(&self, name: &Name, behind: usize) -> bool {
+        let formulas = self.places.iter().zip(&self.read);
+        let mut equations = formulas.filter(|(place, _)| **place >= behind).flat_map(|(_, own)| own);
+        equations.any(|equation| speaks_of(equation, name))
+    }
+
     /// Takes what a formula within the text says, and returns what it is to those that follow from it, and what it follows from
-    /// itself; nothing where it is no equation of letters that are read.
-    pub fn aside(&mut self, at: usize, label: &str) -> Option<(Role, Vec<String>)> {
+    /// itself; nothing where it is no equation of letters that are read. It holds up to the place `until` of the text.
+    pub fn aside(&mut self, at: usize, label: &str, until: usize) -> Option<(Role, Vec<String>)> {
         self.numbers.insert(label.to_owned(), at);
         let equations = self.read.get(at).filter(|equations| equations.len() == 1)?.clone();
         let equation = equations
@@ -590,7 +634,15 @@ impl Guess {
         if self.conflict(at).is_some() || self.question(at, "").is_some() || question_below(&equations).is_some() {
             return None;
         }
-        let new = self.defined(equation);
+        // a letter that has the value here alone is no name for it
+        let new = match self.defined(equation) {
+            Some(name) if self.is_spoken_of(&name, until) => {
+                let from = self.places.get(at).copied().unwrap_or_default();
+                self.scopes.push((name, from..until));
+                None
+            }
+            new => new,
+        };
         let mut names = BTreeSet::new();
         names_in(&equation.left, &mut names);
         names_in(&equation.right, &mut names);
@@ -610,6 +662,7 @@ impl Guess {
             }
         };
         self.guessed.insert(label.to_owned(), role);
+        self.asides.push((label.to_owned(), until));
         self.met.extend(names.iter().cloned());
         names.retain(|name| Some(name) != new.as_ref());
         self.names.extend(names);
@@ -1014,6 +1067,25 @@ impl Guess {
         };
         let mut marked = self.marks.marked(&stated, &is_free);
         let mut doubts = Vec::new();
+        let mut all = stated.own.iter().chain(&stated.below);
+        if all.clone().any(|equation| self.moves_a_value(equation)) {
+            doubts.push("a value that speaks of an index, which a sum moves".to_owned());
+        }
+        let own = || labels.iter().copied().chain([label]);
+        let speaks = |label: &String, name: &Name| equations(label).any(|equation| speaks_of(equation, name));
+        for (name, part) in &self.scopes {
+            let place = |label: &String| {
+                let at = self.numbers.get(label).and_then(|&at| self.places.get(at));
+                at.copied().unwrap_or_default()
+            };
+            let is_within = own().any(|label| part.contains(&place(label)) && speaks(label, name));
+            if is_within && own().any(|label| place(label) >= part.end && speaks(label, name)) {
+                doubts.push(format!("`{name}` has a value of its own in another part of the text"));
+            }
+        }
+        if all.any(|equation| self.marks.inverts_a_rectangle(equation)) {
+            doubts.push("the inverse of a matrix that is not square?".to_owned());
+        }
         let again: BTreeSet<&String> = self.again.values().flatten().collect();
         let (rivals, others): (Vec<&String>, Vec<&String>) =
             labels.iter().copied().partition(|own| again.contains(own));
@@ -1059,6 +1131,22 @@ impl Guess {
             }
         }
         (doubts, marked)
+    }
+
+    /// Returns true if a letter within a sum or a product has a value that speaks of its index.
+    fn moves_a_value(&self, equation: &Equation) -> bool {
+        any_side(equation, &mut |node| {
+            let Tree::Operation(operation, _) = node else {
+                return false;
+            };
+            let Operation::Series { of, index, .. } = &**operation else {
+                return false;
+            };
+            let mut names = BTreeSet::new();
+            names_in(of, &mut names);
+            names.remove(index);
+            self.reached(&names).contains(index)
+        })
     }
 
     /// Returns true if a pair such as `h_{1,2}` is of a letter that is a function, or that functions run over.
@@ -1499,31 +1587,48 @@ fn is_with_and_without_time(equation: &Equation) -> bool {
 }
 
 /// Returns true if `T` stands above letters and brackets and nowhere else: as the sign of a transpose.
-fn is_sign_alone<'e>(equations: impl Iterator<Item = &'e Equation>) -> bool {
+fn is_sign_alone<'e>(equations: impl Iterator<Item = &'e Equation>, has_vectors: bool) -> bool {
     let is_sign = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == Name::plain("T"));
-    let (mut signs, mut all) = (0_usize, 0_usize);
+    let (mut signs, mut all, mut is_of_matrix, mut is_power) = (0_usize, 0_usize, has_vectors, false);
     for equation in equations {
         any_side(equation, &mut |node| {
             let exponent = match node {
                 Tree::RealPower(of, exponent, _) if !matches!(**of, Tree::Number(_)) => match &**exponent {
-                    Tree::Negate(inner) => Some(&**inner),
-                    exponent => Some(exponent),
+                    Tree::Negate(inner) => Some((&**of, &**inner)),
+                    exponent => Some((&**of, exponent)),
                 },
                 _ => None,
             };
-            signs += usize::from(exponent.is_some_and(is_sign));
+            if let Some((of, _)) = exponent.filter(|(_, exponent)| is_sign(exponent)) {
+                signs += 1;
+                is_of_matrix |= letter_of(of)
+                    .is_none_or(|name| name.base.chars().all(|c| c.is_ascii_uppercase()) || is_bold(&name.base));
+                is_power |= matches!(of, Tree::Sum(terms) if terms.iter().any(|term| matches!(term, Tree::Number(_))));
+            }
             all += usize::from(is_sign(node) || matches!(node, Tree::Call(name, ..) if *name == Name::plain("T")));
             false
         });
     }
-    signs > 0 && signs == all
+    signs > 0 && signs == all && is_of_matrix && !is_power
+}
+
+/// Returns true if a letter stands in an equation.
+fn speaks_of(equation: &Equation, name: &Name) -> bool {
+    any_side(
+        equation,
+        &mut |node| matches!(node, Tree::Symbol(own, _) | Tree::Call(own, ..) if own == name),
+    )
+}
+
+fn is_bold(base: &str) -> bool {
+    BOLD.iter().any(|bold| base.starts_with(bold))
 }
 
 /// The capital letters that are transposed or inverted, or stand beside what is, or beside a letter in bold: `P \bm{d}`, `x^\top P`.
 fn matrices_in<'e>(equations: impl Iterator<Item = &'e Equation> + Clone) -> BTreeSet<String> {
     let is_capital = |base: &&String| base.len() == 1 && base.chars().all(|c| c.is_ascii_uppercase());
     let base = |tree: &Tree| letter_of(tree).map(|name| name.base.clone());
-    let is_bold = |tree: &Tree| base(tree).is_some_and(|base| BOLD.iter().any(|bold| base.starts_with(bold)));
+    let is_bold = |tree: &Tree| base(tree).is_some_and(|base| is_bold(&base));
     let mut found: BTreeSet<String> = BTreeSet::new();
     let each = |test: &mut dyn FnMut(&Tree)| {
         for equation in equations.clone() {

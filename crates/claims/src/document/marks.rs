@@ -4,8 +4,8 @@ use super::members::{Members, contains_unit, j_is_unit};
 use crate::words::{Reader, transposed};
 use std::collections::BTreeSet;
 use texmath::{
-    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, base_alone, holds_unknown,
-    is_constant, letters, names_in,
+    BOLD, Equation, Invariant, Name, Names, Opaque, Operation, Relation, Tree, any, any_side, base_alone,
+    holds_unknown, is_constant, letters, names_in,
 };
 
 /// The letters that a document marks.
@@ -20,6 +20,10 @@ pub(super) struct Marks {
     transposed: BTreeSet<Name>,
     /// Letters that are divided by, as nobody divides by matrices.
     numbers: BTreeSet<Name>,
+    /// The letters of matrices that are not square.
+    rectangles: BTreeSet<String>,
+    /// True if the text speaks of the identity.
+    says_identity: bool,
 }
 
 /// Accents of vectors.
@@ -102,13 +106,18 @@ fn is_small_greek(name: &Name) -> bool {
 fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
     let holds_vectors = || BOLD.iter().chain(&ARROWS).any(|sign| name.base.contains(sign));
-    let is_integral = [r"\int", r"\oint", r"\iint", r"\iiint"]
+    let is_integral = [r"\int", r"\oint", r"\iint", r"\iiint", r"\sum"]
         .iter()
         .any(|sign| name.base.contains(sign));
+    let holds_transposes = || {
+        [r"^\top", r"^{\top}", "^T", "^{T}"]
+            .iter()
+            .any(|sign| name.base.contains(sign))
+    };
     commands.any(|command| name.base.starts_with(command))
         || holds_unknown(&name.base)
         || holds_bold_capital(&name.base)
-        || (is_integral && holds_vectors())
+        || (is_integral && (holds_vectors() || holds_transposes()))
 }
 
 /// Returns true for a term with a capital letter in bold in it, as a function of a matrix is.
@@ -124,10 +133,18 @@ fn holds_bold_capital(base: &str) -> bool {
     })
 }
 
-/// Returns true for a letter in bold, script, with an arrow or a hat.
+/// Returns true for `\overline{\overline{A}}` and `\underline{\underline{A}}`.
+fn has_two_bars(name: &Name) -> bool {
+    match name.accents.as_slice() {
+        [.., one, other] => one == other && [r"\overline", r"\underline"].contains(&one.as_str()),
+        _ => false,
+    }
+}
+
+/// Returns true for a letter in bold, script, with an arrow or a hat, or with two bars.
 fn is_typographic(name: &Name) -> bool {
     let accents = [r"\hat", r"\widehat", r"\mathcal", r"\mathscr", r"\mathfrak"];
-    is_set_apart(name) || has_accent(name, &ARROWS) || has_accent(name, &accents)
+    is_set_apart(name) || has_two_bars(name) || has_accent(name, &ARROWS) || has_accent(name, &accents)
 }
 
 /// The letters of a claim that its document marks as more than real numbers.
@@ -226,7 +243,11 @@ impl Marks {
         has_matrices: bool,
         mut members: Members,
     ) -> Self {
-        let mut marks = Self::default();
+        let mut marks = Self {
+            rectangles: std::mem::take(&mut members.rectangles),
+            says_identity: members.says_identity,
+            ..Self::default()
+        };
         let mut letters_of_matrices: BTreeSet<String> = commutators.iter().flatten().cloned().collect();
         let mut letters_of_complex = BTreeSet::new();
         let j_is_unit = j_is_unit(formulas.clone().map(|(tex, _)| tex));
@@ -281,7 +302,8 @@ impl Marks {
                             marks.operators.insert(name.clone());
                         }
                         let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
-                        if (has_matrices && is_factor && !is_constant(name)) || is_set_apart(name) {
+                        if (has_matrices && is_factor && !is_constant(name)) || is_set_apart(name) || has_two_bars(name)
+                        {
                             marks.operators.insert(name.clone());
                         }
                         if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
@@ -393,6 +415,15 @@ impl Marks {
             _ => None,
         };
         let (mut found, mut beside_numbers) = (BTreeSet::new(), BTreeSet::new());
+        let is_of_matrices = |node: &Tree| transposed(node).is_some() || matches!(node, Tree::Power(_, -1, _));
+        let mut made = self.transposed.clone();
+        for equation in equations {
+            if let Tree::Symbol(name, _) = &equation.left
+                && any(&equation.right, &mut |node| is_of_matrices(node))
+            {
+                made.insert(name.clone());
+            }
+        }
         for equation in equations {
             let (mut sums, mut names) = (Vec::new(), BTreeSet::new());
             for side in [&equation.left, &equation.right] {
@@ -405,10 +436,26 @@ impl Marks {
                     term => term.clone(),
                 };
                 let terms: Vec<Tree> = sum.iter().map(|term| plain(term)).collect();
-                let has_matrix = terms
-                    .iter()
-                    .any(|term| is_one(term).is_none() && self.is_operator(term));
-                found.extend(terms.iter().filter_map(is_one).filter(|_| has_matrix));
+                let is_matrix = |term: &Tree| is_one(term).is_none() && self.is_operator(term);
+                // of S + I nothing is told, where S is no matrix by its own look: I may be one more letter
+                let is_made = |term: &Tree| {
+                    let is_open = matches!(term, Tree::Symbol(name, _) if !made.contains(name));
+                    is_matrix(term) && (self.says_identity || !is_open)
+                };
+                let is_multiple = |term: &Tree| matches!(term, Tree::Product(_));
+                let has_matrix = terms.iter().any(is_made);
+                let has_any = terms.iter().any(is_matrix);
+                found.extend(
+                    terms
+                        .iter()
+                        .filter_map(|term| is_one(term).filter(|_| has_matrix || (has_any && is_multiple(term)))),
+                );
+            }
+            for side in [&equation.left, &equation.right] {
+                any(side, &mut |node| {
+                    beside_numbers.extend(other_factor_of_identity(node, equation));
+                    false
+                });
             }
             let is_alone = !names
                 .iter()
@@ -417,6 +464,46 @@ impl Marks {
         }
         found.retain(|name| !beside_numbers.contains(name));
         found
+    }
+
+    /// Returns true if an equation holds the inverse of a matrix that is not square.
+    pub fn inverts_a_rectangle(&self, equation: &Equation) -> bool {
+        any_side(equation, &mut |node| match node {
+            Tree::Power(base, exponent, _) if *exponent < 0 => {
+                matches!(&**base, Tree::Symbol(name, _) if self.rectangles.contains(&name.base))
+            }
+            _ => false,
+        })
+    }
+
+    /// Returns true if small letters may be columns by what formulas have them beside: no `x^\top A y` is added or equal to the
+    /// identity or a large Greek letter.
+    pub fn may_have_columns<'a>(mut equations: impl Iterator<Item = &'a Equation>) -> bool {
+        let is_small = |factor: &Tree| {
+            let of = transposed(factor).unwrap_or(factor);
+            letter_of_power(of)
+                .is_some_and(|name| name.base.starts_with(|c: char| c.is_ascii_lowercase()) || is_small_greek(name))
+        };
+        let is_form = |term: &Tree| match term {
+            Tree::Product(factors) => {
+                let ends = [factors.first(), factors.last()];
+                ends.into_iter().flatten().all(is_small) && factors.iter().any(|factor| transposed(factor).is_some())
+            }
+            _ => false,
+        };
+        let is_matrix = |term: &Tree| match term {
+            Tree::Symbol(name, _) => is_called_identity(name) || is_large_greek(name),
+            Tree::Product(factors) => matches!(factors.last(), Some(Tree::Symbol(name, _)) if is_called_identity(name)),
+            _ => false,
+        };
+        !equations.any(|equation| {
+            let mut sums = vec![[terms(&equation.left), terms(&equation.right)].concat()];
+            for side in [&equation.left, &equation.right] {
+                collect_sums(side, &mut sums);
+            }
+            sums.iter()
+                .any(|sum| sum.iter().any(|term| is_form(term)) && sum.iter().any(|term| is_matrix(term)))
+        })
     }
 
     /// Returns true if a letter is the identity.
@@ -481,6 +568,13 @@ impl Marks {
                         }
                     }
                 }
+            }
+            // (I + G K)^{-1}
+            Tree::Power(base, -1, _)
+                if matches!(&**base, Tree::Sum(terms)
+                    if terms.iter().any(|term| matches!(term, Tree::Symbol(name, _) if is_called_identity(name)))) =>
+            {
+                self.mark_operators(base);
             }
             Tree::Operation(operation, _) => match &**operation {
                 Operation::Determinant(of) | Operation::Trace(of) => {
@@ -606,7 +700,11 @@ impl Marks {
                 vectors % 2 == 1 || parts.iter().any(|part| !is_vector(&part) && self.is_operator(part))
             }
             tree if transposed(tree).is_some() => true,
-            Tree::Operation(operation, _) => matches!(**operation, Operation::Matrix(_)),
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Matrix(_) => true,
+                Operation::Series { of, .. } => self.is_operator(of),
+                _ => false,
+            },
             _ => false,
         }
     }
@@ -770,6 +868,18 @@ fn is_called_identity(name: &Name) -> bool {
         r"\mathrm{I}",
     ];
     bases.contains(&name.base.as_str()) && *name == base_alone(name)
+}
+
+/// Returns a letter called as the identity that is multiplied by another capital letter, as nobody multiplies by 1; `I A = A` says
+/// that it is 1.
+fn other_factor_of_identity(node: &Tree, equation: &Equation) -> Option<Name> {
+    let Tree::Product(factors) = node else { return None };
+    let name = factors.iter().find_map(|factor| match factor {
+        Tree::Symbol(name, _) if is_called_identity(name) => Some(name),
+        _ => None,
+    })?;
+    let is_other = |factor: &Tree| letter_of_power(factor).is_some_and(|own| is_capital(own) && own != name);
+    (factors.iter().any(is_other) && identity_in(equation) != Some(name)).then(|| name.clone())
 }
 
 /// Returns the letter that an equation says is 1: `A A^{-1} = I`, `Q^T Q = I`, `A I = A`.

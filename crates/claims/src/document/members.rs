@@ -9,10 +9,16 @@ pub(super) struct Members {
     pub operators: BTreeSet<String>,
     /// Those of them that are called matrices.
     pub matrices: BTreeSet<String>,
-    /// True if the text speaks of `T` by itself, as of a temperature or a period.
+    /// Those of them with two different lengths, `$X \in \mathbb{R}^{n \times p}$`, which have no inverse.
+    pub rectangles: BTreeSet<String>,
+    /// True if a formula prints `T` elsewhere than as an exponent, as a temperature or a last time.
     pub t_is_letter: bool,
+    /// True if the text speaks of vectors, matrices or their transposes.
+    pub has_vectors: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
+    /// True if the text speaks of the identity.
+    pub says_identity: bool,
     /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
     /// quaternions.
     pub has_other_columns: bool,
@@ -66,6 +72,19 @@ const WORDS: [(&str, bool); 23] = [
     ("wave function", true),
 ];
 
+/// Words of texts about vectors and matrices.
+const OF_VECTORS: [&str; 9] = [
+    "ector",
+    "atrix",
+    "atrices",
+    "ranspose",
+    "olumn",
+    r"\vec",
+    r"\mathbf",
+    r"\bm{",
+    r"\boldsymbol",
+];
+
 /// Words for matrices and nothing else.
 const MATRICES: [&str; 3] = ["matrix", "matrices", "Matrices"];
 
@@ -86,20 +105,27 @@ impl Members {
                 marked.extend(beside);
             }
         }
-        let speaks_of =
-            |letter: &str| text.contains(&format!("${letter}$")) || text.contains(&format!(r"\({letter}\)"));
+        let inline = inline(text);
+        // `$I$`, `$I \in`, `$I(\theta)$`, `$A, I$`
+        let speaks_of = |letter: &str| {
+            let begins = |part: &str| {
+                let behind = part.trim_start().strip_prefix(letter).map(str::trim_start);
+                behind.is_some_and(|behind| {
+                    behind.is_empty() || behind.starts_with(['(', '=']) || behind.starts_with(r"\in")
+                })
+            };
+            text.contains(&format!(r"\({letter}\)")) || inline.iter().any(|formula| formula.split(',').any(begins))
+        };
         let has_identity = text.contains("identity") || text.contains("Identity") || text.contains("unit matrix");
+        members.says_identity = has_identity;
         members.i_is_other = !has_identity
             && ["I", r"\mathbf{I}", r"\mathbf I", r"\mathbb{1}", r"\mathbf{1}"]
                 .iter()
                 .any(|own| speaks_of(own));
-        let is_small = |letter: &String| letter.starts_with(|c: char| c.is_ascii_lowercase());
-        let others = ["row vector", "rows", "quaternion", "data matrix", "operators"];
-        members.has_other_columns =
-            others.iter().any(|word| text.contains(word)) || members.matrices.iter().any(is_small);
-        members.t_is_letter = text.contains("$T$") || text.contains(r"\(T\)");
+        members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
+        members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
-        for formula in inline(text) {
+        for formula in &inline {
             // [x, p] = i \hbar, D = \frac{d}{dx}
             let plain: String = formula.chars().filter(|c| !c.is_whitespace()).collect();
             if plain.starts_with('[') && plain.contains("]=") {
@@ -172,10 +198,21 @@ impl Members {
             if is_group || ((is_complex || is_real) && has_power) {
                 members.operators.extend(letters(before));
                 members.matrices.extend(letters(before));
+                if has_two_lengths(set) {
+                    members.rectangles.extend(letters(before));
+                }
             } else if is_complex {
                 members.complex.extend(letters(before));
             }
         }
+        let is_small = |letter: &String| {
+            letter
+                .trim_start_matches('\\')
+                .starts_with(|c: char| c.is_ascii_lowercase())
+        };
+        let others = ["row vector", "rows", "quaternion", "data matrix", "operators"];
+        members.has_other_columns =
+            others.iter().any(|word| text.contains(word)) || members.matrices.iter().any(is_small);
         members
     }
 
@@ -249,6 +286,21 @@ fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
     listed
         .flat_map(|part| letters(part.split('_').next().unwrap_or_default()))
         .collect()
+}
+
+/// Returns true for `\mathbb{R}^{n \times p}`, and not for `\mathbb{R}^{n \times n}`.
+fn has_two_lengths(set: &str) -> bool {
+    let lengths = set.split_once("^{").and_then(|(_, lengths)| lengths.split_once('}'));
+    lengths
+        .and_then(|(lengths, _)| lengths.split_once(r"\times"))
+        .is_some_and(|(rows, columns)| rows.trim() != columns.trim())
+}
+
+/// Returns true if a formula prints `T` elsewhere than as an exponent alone.
+pub(super) fn prints_letter_t(tex: &str) -> bool {
+    let signs = ["^{-T}", "^{T}", "^T", "^ T"];
+    let rest = signs.iter().fold(tex.to_owned(), |rest, sign| rest.replace(sign, ""));
+    letters(&rest).any(|letter| letter == "T")
 }
 
 /// Returns the first characters of a text.
@@ -330,6 +382,28 @@ mod tests {
         assert_eq!(marked(r"$A, B \in \mathbb{R}^{n \times n}$"), ["", "A B"]);
         assert_eq!(marked(r"\[ \int_0^1 x \, dx \] for $n \in \mathbb{N}$"), ["", ""]);
         assert_eq!(marked(r"\[ y \in \mathbb C \]"), ["y", ""]);
+    }
+
+    #[test]
+    fn what_has_two_lengths_has_no_inverse() {
+        let members = Members::of_text(r"$X, Y \in \mathbb{R}^{n \times p}$ and $A \in \mathbb{R}^{n\times n}$");
+        assert_eq!(members.rectangles.into_iter().collect::<Vec<_>>(), ["X", "Y"]);
+    }
+
+    #[test]
+    fn t_is_a_letter_where_it_stands_elsewhere_too() {
+        for tex in [
+            r"S = A^T B^{T}",
+            "A^{-T}",
+            r"\Theta",
+            r"\text{Total}",
+            r"x_{\mathrm{Tot}}",
+        ] {
+            assert!(!prints_letter_t(tex), "{tex}");
+        }
+        for tex in [r"x_T = A^T x_0", r"x_{T}", r"t \le T"] {
+            assert!(prints_letter_t(tex), "{tex}");
+        }
     }
 
     #[test]

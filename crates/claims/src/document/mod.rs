@@ -509,9 +509,10 @@ fn entries(
             continue;
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
+        guess.leave(formula.part.start);
         if formula.is_aside {
             raw.equation
-                .extend(guess.aside(at, label).map(|(role, below)| RawEntry {
+                .extend(guess.aside(at, label, formula.until).map(|(role, below)| RawEntry {
                     label: here(label.clone()),
                     role,
                     tex: here(tex),
@@ -610,7 +611,7 @@ fn entries(
         let (doubts, marked) = guess.doubts(entry, &below);
         entry.doubts = doubts;
         (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
-        entry.columns = !entry.operators.is_empty() && !whole.members.has_other_columns;
+        entry.columns = !entry.operators.is_empty() && guess.may_have_columns && !whole.members.has_other_columns;
     }
     if let Some(symbols) = guess.raw_symbols() {
         raw.symbols = Some(Spanned::new(0..0, symbols));

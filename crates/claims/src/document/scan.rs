@@ -65,6 +65,8 @@ pub(super) struct Formula {
     pub is_of_display: bool,
     /// True if it stands within the text.
     pub is_aside: bool,
+    /// Where it ends to hold: of a formula within the text at the end of the environment, item or section around it.
+    pub until: usize,
 }
 
 /// A formula within the text, and how many formulas stand before it: `where` is said of the display before it.
@@ -669,6 +671,7 @@ impl<'a> Scan<'a> {
                 comments: Vec::new(),
                 is_of_display: false,
                 is_aside: true,
+                until: asides::scope_end(&self.text, here),
             },
             is_behind,
             after,
@@ -1322,6 +1325,7 @@ impl<'a> Scan<'a> {
             comments: Vec::new(),
             is_of_display: false,
             is_aside: false,
+            until: usize::MAX,
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
     }
