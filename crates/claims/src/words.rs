@@ -82,6 +82,29 @@ impl Word {
 pub struct Words(BTreeMap<Word, Rational>);
 
 impl Words {
+    /// Returns its value at numbers, which are their own transposes; nothing where a factor has none, or is 0 and divided by.
+    pub fn value(&self, point: &BTreeMap<String, Rational>) -> Option<Rational> {
+        let mut sum = Rational::zero();
+        for (word, coefficient) in self.terms() {
+            let letters = word.letters.iter().map(|letter| (&letter.name, 1));
+            let scalars = word.scalars.iter().map(|(name, power)| (name, *power));
+            let mut product = coefficient.clone();
+            for (name, power) in letters.chain(scalars) {
+                let value = point.get(name)?.clone();
+                let factor = match power < 0 {
+                    true if value.is_zero() => return None,
+                    true => Rational::one() / value,
+                    false => value,
+                };
+                for _ in 0..power.unsigned_abs() {
+                    product *= factor.clone();
+                }
+            }
+            sum += product;
+        }
+        Some(sum)
+    }
+
     /// Makes a number of one word.
     pub fn of(word: Word, coefficient: Rational) -> Self {
         let mut words = Self::default();

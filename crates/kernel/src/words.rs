@@ -6,7 +6,7 @@
 use super::expand::Refusal;
 use super::verdict::Proved;
 use claims::{Word, WordQuestion, Words};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use numbers::Rational;
 use std::collections::BTreeMap;
 
@@ -94,13 +94,13 @@ pub fn prove_in_words(question: &WordQuestion, proof: &WordProof) -> Result<Prov
         }
     }
     for (number, given) in question.givens.iter().enumerate() {
-        match value(given, &proof.point) {
+        match given.value(&proof.point) {
             Some(value) if value.is_zero() => {}
             _ => return refused(format!("given {number} is not shown to hold at the point")),
         }
     }
     for claim in &question.claims {
-        if value(claim, &proof.point).is_none() {
+        if claim.value(&proof.point).is_none() {
             return refused("the claim has no value at the point".into());
         }
     }
@@ -116,27 +116,4 @@ fn uninverted<'w>(question: &WordQuestion, word: &'w Word) -> Option<&'w String>
             .any(|(word, _)| word.scalars.get(factor).is_some_and(|power| *power < 0))
     };
     divided.map(|(factor, _)| factor).find(|factor| !is_divided_by(factor))
-}
-
-/// The value of a sum at numbers, which are their own transposes.
-fn value(words: &Words, point: &BTreeMap<String, Rational>) -> Option<Rational> {
-    let mut sum = Rational::zero();
-    for (word, coefficient) in words.terms() {
-        let mut product = coefficient.clone();
-        for letter in &word.letters {
-            product *= point.get(&letter.name)?.clone();
-        }
-        for (factor, power) in &word.scalars {
-            let factor = point.get(factor)?.clone();
-            if *power < 0 && factor.is_zero() {
-                return None;
-            }
-            let factor = if *power < 0 { Rational::one() / factor } else { factor };
-            for _ in 0..power.unsigned_abs() {
-                product *= factor.clone();
-            }
-        }
-        sum += product;
-    }
-    Some(sum)
 }

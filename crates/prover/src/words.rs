@@ -351,11 +351,11 @@ impl Choice {
             values.insert(name, number);
         }
         let Some(last) = last else {
-            return value(sum, values)?.is_zero().then_some(());
+            return sum.value(values)?.is_zero().then_some(());
         };
         let mut at = |number: Rational| {
             values.insert(last.clone(), number);
-            value(sum, values)
+            sum.value(values)
         };
         let solution = match place {
             Some(_) => {
@@ -388,27 +388,6 @@ fn vanishes(words: &Words) -> bool {
         *sums.entry(powers).or_insert_with(Rational::zero) += coefficient.clone();
     }
     sums.values().all(Rational::is_zero)
-}
-
-/// The value of a sum at numbers.
-fn value(sum: &Words, values: &BTreeMap<String, Rational>) -> Option<Rational> {
-    let mut total = Rational::zero();
-    for (word, coefficient) in sum.terms() {
-        let letters = word.letters.iter().map(|letter| (&letter.name, 1));
-        let scalars = word.scalars.iter().map(|(name, power)| (name, *power));
-        let mut product = coefficient.clone();
-        for (name, power) in letters.chain(scalars) {
-            let mut value = values.get(name)?.clone();
-            if power < 0 {
-                value = (!value.is_zero()).then(|| Rational::one() / value)?;
-            }
-            for _ in 0..power.unsigned_abs() {
-                product *= value.clone();
-            }
-        }
-        total += product;
-    }
-    Some(total)
 }
 
 /// Returns how often a factor stands in a word; nothing where it is divided by.

@@ -2,6 +2,7 @@
 
 use super::command::is_unread;
 use super::layout::{OPAQUE, Plain, opened};
+use super::relations::related;
 use super::{Name, Names};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -9,41 +10,14 @@ use std::ops::Range;
 /// The most terms of a formula that are put out of sight.
 pub(super) const MOST: usize = 4;
 
-/// Signs between sides and between what is said of them.
-const BETWEEN_SIDES: [&str; 32] = [
-    "=",
-    "<",
-    ">",
-    "≤",
-    "≥",
-    "≠",
-    "≈",
-    "≡",
-    ",",
-    ";",
-    "&",
-    r"\\",
-    r"\le",
-    r"\leq",
-    r"\leqslant",
-    r"\ge",
-    r"\geq",
-    r"\geqslant",
-    r"\lt",
-    r"\gt",
-    r"\ne",
-    r"\neq",
-    r"\approx",
-    r"\equiv",
-    r"\coloneqq",
-    r"\quad",
-    r"\qquad",
-    r"\text",
-    r"\textrm",
-    r"\textit",
-    r"\mbox",
-    r"\forall",
+/// Signs between sides and what is said of them, beside relations.
+const BETWEEN_SIDES: [&str; 11] = [
+    ",", ";", "&", r"\\", r"\quad", r"\qquad", r"\text", r"\textrm", r"\textit", r"\mbox", r"\forall",
 ];
+
+fn is_between_sides(sign: &str) -> bool {
+    BETWEEN_SIDES.contains(&sign) || related(sign).is_some()
+}
 
 /// Signs between terms.
 const BETWEEN_TERMS: [&str; 6] = ["+", "-", "−", "±", r"\pm", r"\mp"];
@@ -94,7 +68,7 @@ const NO_VALUES: [&str; 11] = [
 
 /// The name of a term that is out of sight, as it prints.
 pub(super) fn name(text: &str, names: &Names) -> Option<Name> {
-    let is_one = !outside(&signs(text)).any(|(_, sign)| BETWEEN_SIDES.contains(&sign) || PARTING.contains(&sign));
+    let is_one = !outside(&signs(text)).any(|(_, sign)| is_between_sides(sign) || PARTING.contains(&sign));
     (names.opaque.is_some() && is_one && has_value(text)).then(|| Name {
         base: opened(text).replace(OPAQUE, ""),
         ..Name::default()
@@ -167,7 +141,7 @@ fn term(text: &str, place: usize) -> Option<Range<usize>> {
             // \int f dx ends here
             let is_differential = before == "d" || before == r"\mathrm";
             is_taking &= !(is_differential && has_integral(text.get(own.start..sign.at)?));
-            if BETWEEN_SIDES.contains(&sign.text) {
+            if is_between_sides(sign.text) {
                 if is_found || is_met {
                     own.end = own.end.min(sign.at);
                     side.end = sign.at;

@@ -7,6 +7,7 @@
 use super::command::{holds_unknown, invariant, is_letter as is_letter_command};
 use super::elementary::Elementary;
 use super::names::BOLD;
+use super::relations::related;
 use super::{Name, Names};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -137,25 +138,6 @@ static TABLE: &[Row] = &[
     ("stackrel", &[Needed, Needed], Relation),
     ("overset", &[Needed, Needed], Relation),
     ("underset", &[Needed, Needed], Relation),
-];
-
-const RELATIONS: [&str; 16] = [
-    "=",
-    "<",
-    ">",
-    r"\le",
-    r"\leq",
-    r"\leqslant",
-    r"\ge",
-    r"\geq",
-    r"\geqslant",
-    r"\ne",
-    r"\neq",
-    r"\approx",
-    r"\simeq",
-    r"\equiv",
-    ":=",
-    r"\coloneqq",
 ];
 
 /// A formula as it is read.
@@ -340,7 +322,7 @@ impl<'a> Writer<'a, '_> {
                 b'{' => self.closing.get(at).copied().flatten()? + 1,
                 b'(' | b'[' => self.partner(at, end)? + 1,
                 b'+' | b'-' | b'=' | b'<' | b'>' | b'&' | b',' | b'}' | b')' | b']' => break,
-                b'\\' if ENDS.contains(&self.slice(at, next)) => break,
+                b'\\' if ends_term(self.slice(at, next)) => break,
                 _ => next,
             };
         }
@@ -813,7 +795,7 @@ impl<'a> Writer<'a, '_> {
             Relation => {
                 let relation = text(last.as_ref()).trim();
                 let above = text(found.first().and_then(Option::as_ref));
-                if !RELATIONS.contains(&relation) || !says_nothing(above) {
+                if related(relation).is_none() || !says_nothing(above) {
                     return None;
                 }
                 self.write(relation, at);
@@ -975,36 +957,20 @@ fn says_nothing(above: &str) -> bool {
 /// Letters that stand for functions more often than for factors.
 pub const FUNCTION_LETTERS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
 
-/// Commands that end a term.
-const ENDS: [&str; 22] = [
-    r"\\",
-    r"\pm",
-    r"\mp",
-    r"\le",
-    r"\leq",
-    r"\leqslant",
-    r"\ge",
-    r"\geq",
-    r"\geqslant",
-    r"\ne",
-    r"\neq",
-    r"\approx",
-    r"\sim",
-    r"\equiv",
-    r"\to",
-    r"\in",
-    r"\quad",
-    r"\qquad",
-    r"\text",
-    r"\right",
-    r"\end",
-    r"\coloneqq",
+/// Commands that end a term, beside relations.
+const ENDS: [&str; 11] = [
+    r"\\", r"\pm", r"\mp", r"\sim", r"\to", r"\in", r"\quad", r"\qquad", r"\text", r"\right", r"\end",
 ];
+
+fn ends_term(command: &str) -> bool {
+    ENDS.contains(&command) || related(command).is_some()
+}
 
 /// Second shapes of letters, which are letters of their own where an author prints both.
 const VARIANTS: [&str; 2] = [r"\varepsilon", r"\varphi"];
 
-fn is_bold(base: &str) -> bool {
+/// Returns true for the base of a letter in bold.
+pub fn is_bold(base: &str) -> bool {
     BOLD.iter().any(|command| base.starts_with(command))
 }
 

@@ -67,6 +67,7 @@ mod part;
 mod place;
 mod printer;
 mod reader;
+mod relations;
 mod script;
 #[cfg(test)]
 mod spelled;
@@ -89,13 +90,14 @@ pub use doubt::{Doubt, DoubtKind, Doubts, OtherReading};
 pub use elementary::{Elementary, Parity};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
-pub use layout::{FUNCTION_LETTERS, LONGEST, derivative_of, is_opaque};
+pub use layout::{FUNCTION_LETTERS, LONGEST, derivative_of, is_bold, is_opaque};
 pub use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::{BOLD, Names, Opaque};
 pub use nearest::nearest;
 pub use nodes::{any, any_side, holds, holds_indefinite, names_in, nodes_of, parts, speaks_of, with_part, with_symbol};
 pub use place::{Lines, Place};
+pub use relations::{Related, related, sign_at};
 pub use substitute::{
     flies, mapped, number_of, put_in, put_in_throughout, rewrite, rewrite_alone, rewrite_condition, rewrite_equation,
     runs, tree_runs,

@@ -15,9 +15,9 @@ use crate::words::{Reader, is_sign_of_transpose, transposed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 use texmath::{
-    BOLD, Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
-    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_constant, is_opaque, letters, names_in,
-    pair_of, read_display, read_name, with_commands,
+    Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
+    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_bold, is_constant, is_opaque, letters,
+    names_in, pair_of, read_display, read_name, with_commands,
 };
 use toml::Spanned;
 
@@ -1618,10 +1618,6 @@ fn speaks_of(equation: &Equation, name: &Name) -> bool {
         equation,
         &mut |node| matches!(node, Tree::Symbol(own, _) | Tree::Call(own, ..) if own == name),
     )
-}
-
-fn is_bold(base: &str) -> bool {
-    BOLD.iter().any(|bold| base.starts_with(bold))
 }
 
 /// The capital letters that are transposed or inverted, or stand beside what is, or beside a letter in bold: `P \bm{d}`, `x^\top P`.

@@ -3,26 +3,12 @@
 use super::scan::{Aside, Formula};
 use super::tex::{Outside, outside};
 use std::ops::Range;
+use texmath::{Related, related};
 
-/// The relations of a chain of which each link is judged by itself.
-const LINKING: [&str; 16] = [
-    "=",
-    ":=",
-    "≡",
-    "<",
-    ">",
-    "≤",
-    "≥",
-    r"\equiv",
-    r"\le",
-    r"\leq",
-    r"\leqslant",
-    r"\ge",
-    r"\geq",
-    r"\geqslant",
-    r"\lt",
-    r"\gt",
-];
+/// Returns true for a relation of a chain of which each link is judged by itself.
+fn is_linking(sign: &str) -> bool {
+    matches!(related(sign), Some(Related::Equal | Related::Ordered))
+}
 
 /// The arrows from what is given to what follows.
 const IMPLYING: [&str; 6] = [
@@ -181,9 +167,7 @@ fn links(tex: &str, statement: Range<usize>) -> Vec<Range<usize>> {
     let mut relations: Vec<Range<usize>> = Vec::new();
     for met in outside(tex, statement.clone()) {
         match met {
-            Outside::Relation(at) if tex.get(at.clone()).is_some_and(|sign| LINKING.contains(&sign)) => {
-                relations.push(at)
-            }
+            Outside::Relation(at) if tex.get(at.clone()).is_some_and(is_linking) => relations.push(at),
             Outside::Relation(_) | Outside::Row(_) => return Vec::new(),
             // what stands behind is of the last link
             Outside::Comma(_) => break,

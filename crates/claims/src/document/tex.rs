@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use texmath::{Related, related, sign_at};
 
 /// The command at byte `at`, a backslash: its name, of letters or of one other character, and where it ends.
 pub(super) fn command(text: &str, at: usize) -> (&str, usize) {
@@ -150,24 +151,8 @@ pub(super) enum Outside {
     Command(Range<usize>),
 }
 
-/// The spellings of relations that are no commands.
-const RELATIONS: [&str; 11] = [":=", "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "≲", "≳"];
-
-/// The commands that relate.
-const RELATING: [&str; 25] = [
-    "le",
-    "leq",
-    "leqslant",
-    "ge",
-    "geq",
-    "geqslant",
-    "ne",
-    "neq",
-    "lt",
-    "gt",
-    "equiv",
-    "approx",
-    "simeq",
+/// The commands that relate, beside the relations between values.
+const RELATING: [&str; 12] = [
     "sim",
     "to",
     "propto",
@@ -182,15 +167,8 @@ const RELATING: [&str; 25] = [
     "in",
 ];
 
-/// The relations that say that two sides are equal, or nearly, or that what is claimed follows.
-const EQUATING: [&str; 16] = [
-    "=",
-    ":=",
-    "≡",
-    "≈",
-    r"\equiv",
-    r"\approx",
-    r"\simeq",
+/// The relations that say that what is claimed follows, or that two sides are alike, beside those between values.
+const EQUATING: [&str; 9] = [
     r"\sim",
     r"\to",
     r"\propto",
@@ -202,21 +180,29 @@ const EQUATING: [&str; 16] = [
     r"\iff",
 ];
 
-/// Whether a relation says that two sides are equal.
+/// Returns true if a relation says that two sides are equal, or nearly.
 pub(super) fn is_equating(relation: &str) -> bool {
-    EQUATING.contains(&relation)
+    matches!(related(relation), Some(Related::Equal | Related::Near)) || EQUATING.contains(&relation)
+}
+
+/// Returns true for a command that relates.
+fn relates_by(name: &str) -> bool {
+    RELATING.contains(&name) || related(&format!("\\{name}")).is_some()
+}
+
+/// Returns the relation that begins a text, where it is no command.
+fn relation_at(text: &str) -> Option<&'static str> {
+    sign_at(text).or_else(|| ["≲", "≳"].into_iter().find(|sign| text.starts_with(sign)))
 }
 
 /// The relations that stand anywhere in a formula, be it within brackets.
 fn relations(tex: &str) -> impl Iterator<Item = &str> {
     let commands = tex.match_indices('\\').filter_map(|(at, _)| {
         let (name, end) = command(tex, at);
-        RELATING.contains(&name).then(|| tex.get(at..end)).flatten()
+        relates_by(name).then(|| tex.get(at..end)).flatten()
     });
-    RELATIONS
-        .into_iter()
-        .filter(|relation| tex.contains(relation))
-        .chain(commands)
+    let signs = tex.char_indices().filter_map(|(at, _)| relation_at(tex.get(at..)?));
+    signs.chain(commands)
 }
 
 /// Whether a relation stands anywhere in a formula, be it within brackets.
@@ -244,7 +230,7 @@ pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
         let Some(c) = rest.chars().next() else { break };
         let here = next;
         next += c.len_utf8();
-        let relation = RELATIONS.iter().find(|relation| rest.starts_with(**relation));
+        let relation = relation_at(rest);
         match c {
             '\\' => {
                 let (name, end) = command(text, here);
@@ -270,7 +256,7 @@ pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
                         found.push(Outside::Row(here..next));
                     }
                     _ if depth > 0 => {}
-                    name if RELATING.contains(&name) => found.push(Outside::Relation(here..next)),
+                    name if relates_by(name) => found.push(Outside::Relation(here..next)),
                     _ => found.push(Outside::Command(here..next)),
                 }
             }
