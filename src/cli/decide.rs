@@ -3,7 +3,7 @@
 use super::progress::Progress;
 use super::verdicts::{Row, table};
 use super::{Failure, note};
-use crate::claim::{self, Fault, Sheet, Standing, Verdict};
+use crate::claim::{self, Entry, Fault, Sheet, Standing, Verdict};
 use crate::evidence::witness_near;
 use crate::prove::{self, mention_refuted};
 use crate::repair::{Repair, repairs};
@@ -39,6 +39,10 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
     })?;
     clear_links_behind_suspects(sheet, &mut rows, options);
     mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
+    if rows.iter().any(|row| row.expected().is_none()) {
+        note(&format!("{name}: {}", summary(&rows)));
+        return Ok(rows);
+    }
     let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
     let faults: Vec<&Fault> = unread.filter_map(|entry| entry.unread.as_ref()).collect();
     for fault in faults.iter().take(MOST_NOTES) {
@@ -50,6 +54,18 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
         ));
     }
     Ok(rows)
+}
+
+/// Counts the rows of a document without comments by their verdicts, in the order in which their author wants to see them.
+fn summary(rows: &[Row]) -> String {
+    let order = ["suspect", "proved", "given", "undecided", "unread"];
+    let counts = order.into_iter().filter_map(|verdict| {
+        let is_it = |row: &&Row| row.decision.verdict.to_string() == verdict;
+        let count = rows.iter().filter(is_it).count();
+        (count > 0).then(|| format!("{count} {verdict}"))
+    });
+    let counts: Vec<String> = counts.collect();
+    format!("{} formulas and links of chains: {}", rows.len(), counts.join(", "))
 }
 
 /// Makes a suspect link of a chain undecided that holds once the suspect one before it is repaired.
@@ -103,6 +119,28 @@ fn is_slip(repair: &Repair) -> bool {
     let is_side = edit.path.len() == 1;
     let is_power_of_sum = matches!(&edit.tree, Tree::Power(of, ..) if matches!(**of, Tree::Sum(_)));
     repair.size <= SLIP && !becomes_zero && !(is_side && is_power_of_sum)
+}
+
+/// Returns true if the text, or a law before, speaks of letters of a formula alone: the formula may hold by that, used more often
+/// than it is tried.
+fn may_rest_on_more(sheet: &Sheet, position: usize) -> bool {
+    let letters = |equations: &[Equation]| {
+        let mut names = BTreeSet::new();
+        for equation in equations {
+            names_in(&equation.left, &mut names);
+            names_in(&equation.right, &mut names);
+        }
+        names
+    };
+    let before = sheet.entries.get(..position).unwrap_or_default();
+    sheet.entries.get(position).is_some_and(|entry| {
+        let own = letters(&entry.equations);
+        let is_of_own = |law: &Entry| {
+            let names = letters(&law.equations);
+            law.standing == Standing::Law && !names.is_empty() && names.is_subset(&own)
+        };
+        entry.has_more_said || before.iter().any(is_of_own)
+    })
 }
 
 /// Returns true if both sides of a formula have the same letters, as most links of chains have.
@@ -171,7 +209,8 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
     let is_link = decision.standing == Standing::Link
         && decision.fails
         && has_one_set_of_letters(sheet, position)
-        && !is_loose(sheet, position);
+        && !is_loose(sheet, position)
+        && !may_rest_on_more(sheet, position);
     let mut repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
         _ if is_link => Some(repairs(sheet, position, options)),

@@ -52,7 +52,7 @@ impl Row {
     }
 
     /// The verdict that is expected; none of a document without comments.
-    fn expected(&self) -> Option<Verdict> {
+    pub fn expected(&self) -> Option<Verdict> {
         match self.is_known {
             Some(true) => Some(self.decision.verdict),
             _ => (self.decision.standing == Standing::Said).then_some(self.decision.expected),
@@ -151,7 +151,12 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
     let is_for_scripts = !matches!(format, Format::Text | Format::Markdown);
     let is_shown = |column: &str| is_for_scripts || column != FINGERPRINT;
     let mut table = Table::new(COLUMNS.into_iter().filter(|column| is_shown(column)));
-    for row in rows {
+    // a reader looks for what is suspect, a script for the order of the document
+    let mut shown: Vec<&Row> = rows.iter().collect();
+    if !is_for_scripts {
+        shown.sort_by_key(|row| row.decision.verdict != Verdict::Suspect);
+    }
+    for row in shown {
         let (decision, evidence) = (&row.decision, &row.evidence);
         let digits = evidence.as_ref().and_then(|evidence| evidence.digits);
         let file = decision.file.as_ref().map_or(String::new(), |file| format!("{file}:"));
@@ -169,8 +174,8 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from(row.fingerprint(sheet)),
             Cell::from(Some(decision.reductions()).filter(|rules| !rules.is_empty())),
         ];
-        let shown = COLUMNS.into_iter().zip(cells).filter(|(column, _)| is_shown(column));
-        table.push(shown.map(|(_, cell)| cell).collect::<Vec<_>>())?;
+        let cells = COLUMNS.into_iter().zip(cells).filter(|(column, _)| is_shown(column));
+        table.push(cells.map(|(_, cell)| cell).collect::<Vec<_>>())?;
     }
     Ok(table)
 }

@@ -1,7 +1,7 @@
 //! The report page and the findings of `audit`: what a referee attaches, and what CI shows.
 
 use super::check::Golden;
-use crate::common::program::{Scratch, run, scratch};
+use crate::common::program::{Scratch, program, run, scratch};
 use std::collections::HashSet;
 use std::fs;
 use std::path::Path;
@@ -482,4 +482,32 @@ fn a_printed_page_has_every_formula_and_every_proof() {
     let proofs = text.matches("from a certificate of").count();
     let decided = labels(&["audit"]).len();
     assert!(proofs + 2 >= decided, "{proofs} proofs of {decided} formulas");
+}
+
+#[test]
+fn what_the_author_of_a_document_without_comments_need_not_look_at_is_folded() {
+    let text =
+        r"\begin{align*} D &= m (v - u)^2 \\ &= m (v^2 - 2 u v - u^2) \\ &= m v^2 - 2 m u v + m u^2 \end{align*}";
+    let ran = program(["audit", "-", "--format", "html"]).input(text).run();
+    let xml = as_xml(&ran.stdout);
+    let document = roxmltree::Document::parse(&xml).unwrap();
+    let folded = |verdict: &str| {
+        let mut articles = document.descendants().filter(|node| node.has_tag_name("article"));
+        let has_badge = |node: &roxmltree::Node<'_, '_>| {
+            let is_badge = |node: roxmltree::Node<'_, '_>| {
+                node.attribute("class")
+                    .is_some_and(|class| class.starts_with("verdict"))
+            };
+            node.descendants()
+                .any(|node| is_badge(node) && node.text() == Some(verdict))
+        };
+        let article = articles.find(has_badge).unwrap();
+        article.parent().unwrap().has_tag_name("details")
+    };
+    assert!(folded("given") && !folded("suspect"));
+    assert!(
+        ran.stdout.contains("<summary>1 given: definitions and laws."),
+        "{}",
+        ran.stdout
+    );
 }

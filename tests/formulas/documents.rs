@@ -1648,6 +1648,12 @@ fn a_slip_in_a_chain_is_suspect_and_the_link_behind_it_is_not() {
     );
     assert!(rows[1].contains("wrong sign of the term"), "{}", rows[1]);
     assert!(rows[2].contains("holds once"), "{}", rows[2]);
+    // people are told how many there are, and see what is suspect first
+    let ran = program(["audit", "-"]).input(text).run();
+    let counts = "3 formulas and links of chains: 1 suspect, 1 given, 1 undecided";
+    assert!(ran.stderr.contains(counts), "{}", ran.stderr);
+    let verdict = ran.stdout.lines().nth(2).and_then(|row| row.split_whitespace().nth(2));
+    assert_eq!(verdict, Some("suspect"), "{}", ran.stdout);
 }
 
 #[test]
@@ -2048,6 +2054,17 @@ fn what_the_text_says_holds_in_its_part_alone() {
 }
 
 #[test]
+fn what_holds_by_more_than_is_read_is_not_suspect() {
+    for text in [
+        r"The projection $P$ satisfies $P^2 = P$, so \begin{align*} (1 - P)^2 &= 1 - 2 P + P^2 \\ &= 1 - P \end{align*}",
+        r"\[ H^2 = H \] \begin{align*} H^3 &= H H^2 \\ &= H \end{align*}",
+    ] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        assert_eq!(ran.status, Some(0), "{text}: {}", ran.stdout);
+    }
+}
+
+#[test]
 fn what_may_be_a_number_or_another_letter_is_no_sign_of_matrices() {
     for text in [
         r"\[ x_T = A^T x_0 \] \[ x_T^T = x_0^T A \]",
@@ -2062,6 +2079,11 @@ fn what_may_be_a_number_or_another_letter_is_no_sign_of_matrices() {
         r"Let $X \in \mathbb{R}^{n \times p}$. \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
         r"\[ S = (I + G K)^{-1} \] \[ T = G K S \] \[ T = K S G \]",
         r"\[ q = c k \] \[ S = \sum_{k=1}^n q k \] \[ S = c \sum_{k=1}^n k^2 \]",
+        r"\[ A = \sum_{i=1}^2 \sum_{j=1}^3 a_{ij} \] \[ A = 6 a_{ij} \]",
+        r"\[ m_n = \frac13 \sum_{k=0}^2 x_{n-k} \] \[ m_n = x_{n-k} \]",
+        r"Let $q = c_i v$. \[ Q = \sum_{i=1}^2 q \] \[ Q = 2 q \]",
+        r"Let $X$ be an $n \times p$ matrix. \[ b = (X^T X)^{-1} X^T y \] \[ b = X^{-1} y \]",
+        r"\[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
     ] {
         let last = decisions(&document(text, &[])).pop().unwrap();
         assert_ne!(last.verdict, Verdict::Proved, "{text}");

@@ -83,6 +83,8 @@ pub struct Entry {
     pub identities: BTreeSet<String>,
     /// True if small letters among them are columns.
     pub columns: bool,
+    /// True if the text around says more of its letters than is read.
+    pub has_more_said: bool,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
     /// The equations of which it says or assumes that one holds.
@@ -153,6 +155,9 @@ pub(super) struct RawEntry {
     /// True if small letters among them are columns.
     #[serde(default)]
     pub columns: bool,
+    /// True if the text around says more of its letters than is read.
+    #[serde(skip)]
+    pub has_more_said: bool,
     /// The questions that a proof for real numbers leaves open, as the entry speaks of more.
     #[serde(default)]
     pub marked: Vec<String>,
@@ -1173,6 +1178,7 @@ pub(super) fn read_entry(
         operators: raw.operators.iter().cloned().collect(),
         identities: raw.identities.iter().cloned().collect(),
         columns: raw.columns,
+        has_more_said: raw.has_more_said,
         equations,
         local,
         with,

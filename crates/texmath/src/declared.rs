@@ -1,5 +1,6 @@
 //! Which names are declared, and the first name of a formula that is not.
 
+use super::layout::is_opaque;
 use super::nodes::{any, any_side};
 use super::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of};
 use super::{Name, Tree, nearest};
@@ -297,7 +298,9 @@ impl Symbols {
     /// Returns what to say of a name that nothing declares.
     pub fn unknown(&self, name: &Name, at: usize) -> Undeclared {
         let found = name.to_string();
-        let all = self.shown();
+        let mut all = self.shown();
+        // terms that are one symbol each are no names to write
+        all.retain(|(name, _)| !is_opaque(name));
         let plain: Vec<String> = all
             .iter()
             .take(MOST_COMPARED)

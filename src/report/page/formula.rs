@@ -299,7 +299,23 @@ fn point(counterexample: &Counterexample, names: &Names) -> Vec<Element> {
     values.chain(sides).map(|own| own.with("class", "value")).collect()
 }
 
-/// The verdicts, and what is given.
+/// The verdicts that are folded where nothing is expected, as in a document without comments, and what its author can do.
+const FOLDED: [(&str, &str); 3] = [
+    (
+        "given",
+        "definitions and laws. What follows from others is checked in a chain with them, or after `% audit: claim; follows from (1)`",
+    ),
+    (
+        "undecided",
+        "neither proved nor failing by a slip. Say what each follows from, `% audit: follows from (1)`, or what its letters are, `% audit: symbols ...`",
+    ),
+    (
+        "unread",
+        "each says which sign is not read. Write it in another way, or leave it out by `% audit: skip`",
+    ),
+];
+
+/// The verdicts, and what is given; in a document without comments what its author need not look at is folded.
 pub fn section(table: &Table, printed: &[Printed], given: &[Given], verdicts: &Verdicts) -> Vec<Element> {
     let known: HashSet<&str> = given.iter().map(|given| given.label.as_str()).collect();
     let text = |row: &[Cell], name: &str| -> String {
@@ -322,9 +338,21 @@ pub fn section(table: &Table, printed: &[Printed], given: &[Given], verdicts: &V
     });
     let index = element("nav", [element("ul", links)]).with("aria-label", "Formulas");
     let mut section = element("section", [text_in("h2", "Formulas"), index]);
+    let mut folds = FOLDED.map(|(verdict, advice)| (verdict, advice, Vec::new()));
     for (row, own) in table.rows().iter().zip(printed) {
         let text = |name: &str| text(row, name);
-        section = section.and([article(&text, own, verdicts, &is_there)]);
+        let article = article(&text, own, verdicts, &is_there);
+        let verdict = text("verdict");
+        let fold = folds.iter_mut().find(|(folded, ..)| *folded == verdict);
+        match fold.filter(|_| text("expected").is_empty()) {
+            Some((.., articles)) => articles.push(article),
+            None => section = section.and([article]),
+        }
+    }
+    for (verdict, advice, articles) in folds.into_iter().filter(|(.., articles)| !articles.is_empty()) {
+        let summary = format!("{} {verdict}: {advice}", articles.len());
+        let fold = element("details", [text_in("summary", summary)]).and(articles);
+        section = section.and([fold.with("data-show", verdicts.shown_as(verdict, ""))]);
     }
     let mut sections = vec![section];
     if !given.is_empty() {

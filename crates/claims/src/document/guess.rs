@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 use texmath::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
-    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, is_bold, is_constant, is_opaque, letters,
-    names_in, pair_of, read_display, read_name, with_commands,
+    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, index_of, is_bold, is_constant, is_opaque,
+    letters, names_in, pair_of, read_display, read_name, with_commands,
 };
 use toml::Spanned;
 
@@ -1133,19 +1133,26 @@ impl Guess {
         (doubts, marked)
     }
 
-    /// Returns true if a letter within a sum or a product has a value that speaks of its index.
+    /// Returns true if a letter within a sum or a product has a value that speaks of its index, or where it is written out term by
+    /// term prints the index where none is looked for, as `a_{ij}` does.
     fn moves_a_value(&self, equation: &Equation) -> bool {
         any_side(equation, &mut |node| {
             let Tree::Operation(operation, _) = node else {
                 return false;
             };
-            let Operation::Series { of, index, .. } = &**operation else {
+            let Operation::Series {
+                of, index, from, to, ..
+            } = &**operation
+            else {
                 return false;
             };
             let mut names = BTreeSet::new();
             names_in(of, &mut names);
             names.remove(index);
-            self.reached(&names).contains(index)
+            let reached = self.reached(&names);
+            let is_written_out = [from, to].iter().all(|end| matches!(end, Tree::Number(_)));
+            let hides = |name: &Name| is_written_out && hides_index(name, index);
+            names.iter().any(hides) || reached.difference(&names).any(|name| prints_letter(name, index))
         })
     }
 
@@ -1417,20 +1424,25 @@ impl Guess {
         let mut labels: Vec<String> = definitions.map(|(label, _)| format!("({label})")).collect();
         labels.sort_unstable();
         if !labels.is_empty() {
-            told.push(format!("definitions are guessed: {}", labels.join(", ")));
+            told.push(format!("definitions are guessed: {}", listed(&labels)));
         }
         if !self.undeclared.is_empty() {
             let names: Vec<String> = self.undeclared.keys().map(ToString::to_string).collect();
             told.push(format!(
                 "symbols beside those declared are guessed, all real: {} (`% audit: symbols only` forbids it)",
-                names.join(", ")
+                listed(&names)
             ));
         }
         if let Some(symbols) = self
             .raw_symbols()
             .filter(|symbols| !symbols.parameters.is_empty() || !self.functions.is_empty())
         {
-            let list = |names: &[String]| names.join(", ");
+            let is_letter = |name: &&String| read_name(name, &Names::default()).is_ok_and(|name| !is_opaque(&name));
+            let letters: Vec<String> = symbols.parameters.iter().filter(is_letter).cloned().collect();
+            let terms = match symbols.parameters.len() - letters.len() {
+                0 => String::new(),
+                terms => format!("; {terms} terms are one symbol each"),
+            };
             let functions: Vec<String> = self.functions.iter().map(ToString::to_string).collect();
             let of_time = if functions.is_empty() {
                 String::new()
@@ -1438,11 +1450,23 @@ impl Guess {
                 format!("; functions of {TIME}: {}", functions.join(", "))
             };
             told.push(format!(
-                "symbols are guessed, all real: {}{of_time}",
-                list(&symbols.parameters)
+                "symbols are guessed, all real: {}{of_time}{terms}",
+                listed(&letters)
             ));
         }
         told
+    }
+}
+
+/// The most names or labels that a message lists.
+const MOST_LISTED: usize = 40;
+
+/// Lists the first of these, and says how many more there are.
+fn listed(names: &[String]) -> String {
+    let first = names.get(..MOST_LISTED).unwrap_or(names).join(", ");
+    match names.len().saturating_sub(MOST_LISTED) {
+        0 => first,
+        more => format!("{first} and {more} more"),
     }
 }
 
@@ -1610,6 +1634,18 @@ fn is_sign_alone<'e>(equations: impl Iterator<Item = &'e Equation>, has_vectors:
         });
     }
     signs > 0 && signs == all && is_of_matrix && !is_power
+}
+
+/// Returns true if a name prints a letter, in its subscripts too.
+fn prints_letter(name: &Name, letter: &Name) -> bool {
+    let letters = letters(&name.to_string(), &Names::default());
+    letters.iter().any(|(own, _)| *own == letter.base)
+}
+
+/// Returns true if a name prints an index and is no member of a family by it, `x_i` or `x_{i+1}`.
+fn hides_index(name: &Name, index: &Name) -> bool {
+    let is_member = index_of(&name.subscript, &index.base).is_some() && !is_opaque(name);
+    prints_letter(name, index) && !is_member
 }
 
 /// Returns true if a letter stands in an equation.

@@ -22,6 +22,8 @@ pub(super) struct Marks {
     numbers: BTreeSet<Name>,
     /// The letters of matrices that are not square.
     rectangles: BTreeSet<String>,
+    /// Those that are called square.
+    squares: BTreeSet<String>,
     /// True if the text speaks of the identity.
     says_identity: bool,
 }
@@ -245,6 +247,7 @@ impl Marks {
     ) -> Self {
         let mut marks = Self {
             rectangles: std::mem::take(&mut members.rectangles),
+            squares: std::mem::take(&mut members.squares),
             says_identity: members.says_identity,
             ..Self::default()
         };
@@ -468,12 +471,14 @@ impl Marks {
 
     /// Returns true if an equation holds the inverse of a matrix that is not square.
     pub fn inverts_a_rectangle(&self, equation: &Equation) -> bool {
-        any_side(equation, &mut |node| match node {
-            Tree::Power(base, exponent, _) if *exponent < 0 => {
-                matches!(&**base, Tree::Symbol(name, _) if self.rectangles.contains(&name.base))
-            }
-            _ => false,
-        })
+        let is_rectangle = |tree: &Tree| {
+            let of = transposed(tree).unwrap_or(tree);
+            matches!(of, Tree::Symbol(name, _) if self.rectangles.contains(&name.base) && name.accents.is_empty())
+        };
+        any_side(
+            equation,
+            &mut |node| matches!(node, Tree::Power(base, exponent, _) if *exponent < 0 && is_rectangle(base)),
+        )
     }
 
     /// Returns true if small letters may be columns by what formulas have them beside: no `x^\top A y` is added or equal to the
@@ -569,12 +574,16 @@ impl Marks {
                     }
                 }
             }
-            // (I + G K)^{-1}
-            Tree::Power(base, -1, _)
-                if matches!(&**base, Tree::Sum(terms)
-                    if terms.iter().any(|term| matches!(term, Tree::Symbol(name, _) if is_called_identity(name)))) =>
-            {
-                self.mark_operators(base);
+            Tree::Power(base, -1, _) => {
+                // nobody inverts X^T X who has the inverse of X
+                let framing = terms(base).into_iter().filter_map(framing);
+                self.rectangles
+                    .extend(framing.filter(|letter| !self.squares.contains(letter)));
+                // (I + G K)^{-1}
+                let is_one = |term: &Tree| matches!(term, Tree::Symbol(name, _) if is_called_identity(name));
+                if matches!(&**base, Tree::Sum(terms) if terms.iter().any(is_one)) {
+                    self.mark_operators(base);
+                }
             }
             Tree::Operation(operation, _) => match &**operation {
                 Operation::Determinant(of) | Operation::Trace(of) => {
@@ -868,6 +877,21 @@ fn is_called_identity(name: &Name) -> bool {
         r"\mathrm{I}",
     ];
     bases.contains(&name.base.as_str()) && *name == base_alone(name)
+}
+
+/// Returns the letter that stands with its transpose at the ends of a product: `X^T X`, `H P H^T`.
+fn framing(product: &Tree) -> Option<String> {
+    let Tree::Product(factors) = product else { return None };
+    let (first, last) = (factors.first()?, factors.last()?);
+    let plain = match (transposed(first), transposed(last)) {
+        (Some(of), None) if of == last => of,
+        (None, Some(of)) if of == first => of,
+        _ => return None,
+    };
+    match plain {
+        Tree::Symbol(name, _) => Some(name.base.clone()),
+        _ => None,
+    }
 }
 
 /// Returns a letter called as the identity that is multiplied by another capital letter, as nobody multiplies by 1; `I A = A` says

@@ -1,5 +1,6 @@
 //! Letters of which a document says in which set they lie, `$z \in \mathbb{C}$`, or that it marks by how it prints them.
 
+use super::asides;
 use std::collections::BTreeSet;
 
 /// The letters that a text marks as complex, and as matrices, vectors or operators.
@@ -11,12 +12,16 @@ pub(super) struct Members {
     pub matrices: BTreeSet<String>,
     /// Those of them with two different lengths, `$X \in \mathbb{R}^{n \times p}$`, which have no inverse.
     pub rectangles: BTreeSet<String>,
+    /// Those that are called square or invertible.
+    pub squares: BTreeSet<String>,
     /// True if a formula prints `T` elsewhere than as an exponent, as a temperature or a last time.
     pub t_is_letter: bool,
     /// True if the text speaks of vectors, matrices or their transposes.
     pub has_vectors: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
+    /// The letters of each equation within the text.
+    pub said: Vec<BTreeSet<String>>,
     /// True if the text speaks of the identity.
     pub says_identity: bool,
     /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
@@ -125,6 +130,8 @@ impl Members {
         members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
         members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
+        let said = inline.iter().filter(|formula| asides::states(formula));
+        members.said = said.map(|formula| letters(formula).collect()).collect();
         for formula in &inline {
             // [x, p] = i \hbar, D = \frac{d}{dx}
             let plain: String = formula.chars().filter(|c| !c.is_whitespace()).collect();
@@ -205,6 +212,26 @@ impl Members {
                 members.complex.extend(letters(before));
             }
         }
+        for word in ["invertible", "nonsingular", "non-singular", "square"] {
+            for (at, _) in text.match_indices(word) {
+                members.squares.extend(letters_beside(text, at, at + word.len()));
+            }
+        }
+        // the $n \times p$ matrix $X$
+        for (at, _) in text.match_indices('$') {
+            let Some((lengths, _)) = text.get(at + 1..).and_then(|rest| rest.split_once('$')) else {
+                continue;
+            };
+            if let Some((rows, columns)) = lengths.split_once(r"\times").filter(|_| is_shape(lengths)) {
+                let beside = letters_beside(text, at, at + lengths.len() + 2);
+                members.operators.extend(beside.iter().cloned());
+                members.matrices.extend(beside.iter().cloned());
+                match rows.trim() == columns.trim() {
+                    true => members.squares.extend(beside),
+                    false => members.rectangles.extend(beside),
+                }
+            }
+        }
         let is_small = |letter: &String| {
             letter
                 .trim_start_matches('\\')
@@ -214,6 +241,12 @@ impl Members {
         members.has_other_columns =
             others.iter().any(|word| text.contains(word)) || members.matrices.iter().any(is_small);
         members
+    }
+
+    /// Returns true if an equation within the text speaks of letters of a formula alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
+    pub fn says_of(&self, tex: &str) -> bool {
+        let own: BTreeSet<String> = letters(tex).collect();
+        self.said.iter().any(|said| !said.is_empty() && said.is_subset(&own))
     }
 
     /// Adds what a displayed formula marks by how it is printed.
@@ -286,6 +319,18 @@ fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
     listed
         .flat_map(|part| letters(part.split('_').next().unwrap_or_default()))
         .collect()
+}
+
+/// Returns true for `n \times p`, `3\times2`: two letters or numbers.
+fn is_shape(lengths: &str) -> bool {
+    let is_length = |side: &str| {
+        let side = side.trim();
+        let is_number = side.chars().all(|c| c.is_ascii_digit());
+        !side.is_empty() && (is_number || side.chars().count() == 1)
+    };
+    lengths
+        .split_once(r"\times")
+        .is_some_and(|(rows, columns)| is_length(rows) && is_length(columns))
 }
 
 /// Returns true for `\mathbb{R}^{n \times p}`, and not for `\mathbb{R}^{n \times n}`.

@@ -528,6 +528,7 @@ fn entries(
                     operators: Vec::new(),
                     identities: Vec::new(),
                     columns: false,
+                    has_more_said: false,
                     marked: Vec::new(),
                     unread: None,
                     way: None,
@@ -586,6 +587,7 @@ fn entries(
             operators: Vec::new(),
             identities: Vec::new(),
             columns: false,
+            has_more_said: false,
             marked: Vec::new(),
             unread,
             way: None,
@@ -611,6 +613,7 @@ fn entries(
         let (doubts, marked) = guess.doubts(entry, &below);
         entry.doubts = doubts;
         (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
+        entry.has_more_said = whole.members.says_of(entry.tex.get_ref());
         entry.columns = !entry.operators.is_empty() && guess.may_have_columns && !whole.members.has_other_columns;
     }
     if let Some(symbols) = guess.raw_symbols() {
