@@ -2112,6 +2112,14 @@ fn sums_of_unknown_length_are_linear() {
     // a letter that the index gives, and what is said of one member
     let further = [false, false, false, false, true];
     assert_eq!(is_proved, [first.as_slice(), &further].concat(), "{reasons:?}");
+    // of members of a family it is seen that they have the index
+    for text in [
+        r"\[ y_i = a x_i + b \] \[ \sum_{i=1}^n y_i = a \sum_{i=1}^n x_i + n b \]",
+        r"\[ p_i = \frac{w_i}{\sum_{j=1}^n w_j} \] \[ \sum_{i=1}^n p_i = 1 \]",
+    ] {
+        let last = decisions(&document(text, &[])).pop().unwrap();
+        assert_eq!(last.verdict, Verdict::Proved, "{text}: {}", last.reason);
+    }
 }
 
 #[test]

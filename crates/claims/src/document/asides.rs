@@ -151,9 +151,15 @@ pub(super) fn states(tex: &str) -> bool {
 }
 
 /// Returns where what is said within the text at a place ends to hold: at the end of the environment or item around it, or at the
-/// next heading, `\section{...}`, `# ...` of Markdown, or a word with a number as `Case 2.` at the start of a sentence.
+/// next heading, `\section{...}`, `# ...` of Markdown, or a word with a number as `Case 2.` at the start of a sentence; some pages
+/// on at the latest.
 pub(super) fn scope_end(text: &str, at: usize) -> usize {
     let behind = text.get(at..).unwrap_or_default();
+    let far = behind
+        .char_indices()
+        .nth(FARTHEST_END)
+        .map_or(behind.len(), |(far, _)| far);
+    let behind = behind.get(..far).unwrap_or_default();
     let mut depth = 0_usize;
     for (offset, c) in behind.char_indices() {
         let rest = behind.get(offset..).unwrap_or_default();
@@ -180,8 +186,14 @@ pub(super) fn scope_end(text: &str, at: usize) -> usize {
             }
         }
     }
-    text.len()
+    match at + far == text.len() {
+        true => usize::MAX,
+        false => at + far,
+    }
 }
+
+/// The most characters over which what is said within the text holds.
+const FARTHEST_END: usize = 30_000;
 
 /// Commands that begin another part of a text.
 const HEADINGS: [&str; 7] = [
@@ -305,7 +317,7 @@ mod tests {
         ] {
             let plain = text.replace('|', "");
             let end = scope_end(&plain, plain.find('$').unwrap_or_default());
-            let found = plain.get(end..).unwrap_or_default();
+            let found = plain.get(end.min(plain.len())..).unwrap_or_default();
             assert_eq!(
                 found.trim_start(),
                 text.split('|').nth(1).unwrap_or_default().trim_start(),

@@ -106,9 +106,10 @@ pub(super) struct Guess {
     in_passing: HashSet<Name>,
     /// Where each formula stands in the text.
     places: Vec<usize>,
-    /// The letters to which formulas within the text gave a value in a part of it, with that part, and of which others speak
-    /// behind it.
-    scopes: Vec<(Name, Range<usize>)>,
+    /// The last place at which a formula speaks of each letter.
+    spoken_last: HashMap<Name, usize>,
+    /// The parts of the text in which formulas within it gave a value to a letter, of which others speak behind it.
+    scopes: BTreeMap<Name, Vec<Range<usize>>>,
     /// The formulas within the text that hold so far, by label, and where in the text they end to hold.
     asides: Vec<(String, usize)>,
     /// The premises so far: laws that are guessed, and what is said to be one.
@@ -569,6 +570,7 @@ impl Guess {
             may_have_columns: Marks::may_have_columns(read.iter().flatten()),
             factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
+            spoken_last: spoken_last(formulas, &read),
             read,
             constants,
             given,
@@ -582,7 +584,7 @@ impl Guess {
             definitions: HashMap::new(),
             in_passing: HashSet::new(),
             places: formulas.iter().map(|formula| formula.part.start).collect(),
-            scopes: Vec::new(),
+            scopes: BTreeMap::new(),
             asides: Vec::new(),
             premises: Vec::new(),
             again: HashMap::new(),
@@ -616,13 +618,6 @@ impl Guess {
             .retain(|stating| !stating.chain.iter().any(|own| ended.contains(own)));
     }
 
-    /// Returns true if a formula behind a place of the text speaks of a letter.
-    fn is_spoken_of(&self, name: &Name, behind: usize) -> bool {
-        let formulas = self.places.iter().zip(&self.read);
-        let mut equations = formulas.filter(|(place, _)| **place >= behind).flat_map(|(_, own)| own);
-        equations.any(|equation| speaks_of(equation, name))
-    }
-
     /// Takes what a formula within the text says, and returns what it is to those that follow from it, and what it follows from
     /// itself; nothing where it is no equation of letters that are read. It holds up to the place `until` of the text.
     pub fn aside(&mut self, at: usize, label: &str, until: usize) -> Option<(Role, Vec<String>)> {
@@ -636,9 +631,9 @@ impl Guess {
         }
         // a letter that has the value here alone is no name for it
         let new = match self.defined(equation) {
-            Some(name) if self.is_spoken_of(&name, until) => {
+            Some(name) if self.spoken_last.get(&name).is_some_and(|last| *last >= until) => {
                 let from = self.places.get(at).copied().unwrap_or_default();
-                self.scopes.push((name, from..until));
+                self.scopes.entry(name).or_default().push(from..until);
                 None
             }
             new => new,
@@ -852,16 +847,19 @@ impl Guess {
         self.definitions.contains_key(name) && reached.contains(by) && reached.iter().all(is_constant)
     }
 
+    /// The equations that define a name.
+    fn values(&self, name: &Name) -> impl Iterator<Item = &Equation> {
+        let number = self.definitions.get(name).and_then(|label| self.numbers.get(label));
+        number.and_then(|&at| self.read.get(at)).into_iter().flatten()
+    }
+
     /// These names, and those by which definitions give them.
     fn reached(&self, names: &BTreeSet<Name>) -> BTreeSet<Name> {
         let mut reached = names.clone();
         let mut open: Vec<Name> = names.iter().cloned().collect();
         while let Some(name) = open.pop() {
-            let number = self.definitions.get(&name).and_then(|label| self.numbers.get(label));
             let mut own = BTreeSet::new();
-            for equation in number.and_then(|&at| self.read.get(at)).into_iter().flatten() {
-                names_in(&equation.right, &mut own);
-            }
+            self.values(&name).for_each(|value| names_in(&value.right, &mut own));
             open.extend(own.into_iter().filter(|name| reached.insert(name.clone())));
         }
         reached
@@ -1071,18 +1069,7 @@ impl Guess {
         if all.clone().any(|equation| self.moves_a_value(equation)) {
             doubts.push("a value that speaks of an index, which a sum moves".to_owned());
         }
-        let own = || labels.iter().copied().chain([label]);
-        let speaks = |label: &String, name: &Name| equations(label).any(|equation| speaks_of(equation, name));
-        for (name, part) in &self.scopes {
-            let place = |label: &String| {
-                let at = self.numbers.get(label).and_then(|&at| self.places.get(at));
-                at.copied().unwrap_or_default()
-            };
-            let is_within = own().any(|label| part.contains(&place(label)) && speaks(label, name));
-            if is_within && own().any(|label| place(label) >= part.end && speaks(label, name)) {
-                doubts.push(format!("`{name}` has a value of its own in another part of the text"));
-            }
-        }
+        doubts.extend(self.another_value(labels.iter().copied().chain([label])));
         if all.any(|equation| self.marks.inverts_a_rectangle(equation)) {
             doubts.push("the inverse of a matrix that is not square?".to_owned());
         }
@@ -1133,6 +1120,31 @@ impl Guess {
         (doubts, marked)
     }
 
+    /// Returns what is doubtful where formulas of which some speak of a letter within a part of the text in which it has a value of
+    /// its own, and some behind that part.
+    fn another_value<'l>(&self, labels: impl Iterator<Item = &'l String>) -> Option<String> {
+        let placed = labels.filter_map(|label| self.numbers.get(label));
+        let placed = placed.filter_map(|&at| Some((*self.places.get(at)?, self.read.get(at)?)));
+        let placed: Vec<(usize, &Vec<Equation>)> = placed.collect();
+        let mut names = BTreeSet::new();
+        for equation in placed.iter().flat_map(|(_, own)| own.iter()) {
+            names_in(&equation.left, &mut names);
+            names_in(&equation.right, &mut names);
+        }
+        let is_mixed = |name: &&Name, parts: &[Range<usize>]| {
+            let speaking = placed
+                .iter()
+                .filter(|(_, own)| own.iter().any(|equation| speaks_of(equation, name)));
+            let places: Vec<usize> = speaking.map(|(place, _)| *place).collect();
+            let is_within = |part: &Range<usize>| places.iter().any(|place| part.contains(place));
+            let is_behind = |part: &Range<usize>| places.iter().any(|place| *place >= part.end);
+            parts.iter().any(|part| is_within(part) && is_behind(part))
+        };
+        let mut scopes = names.iter().filter_map(|name| Some((name, self.scopes.get(name)?)));
+        let (name, _) = scopes.find(|(name, parts)| is_mixed(name, parts))?;
+        Some(format!("`{name}` has a value of its own in another part of the text"))
+    }
+
     /// Returns true if a letter within a sum or a product has a value that speaks of its index, or where it is written out term by
     /// term prints the index where none is looked for, as `a_{ij}` does.
     fn moves_a_value(&self, equation: &Equation) -> bool {
@@ -1149,10 +1161,12 @@ impl Guess {
             let mut names = BTreeSet::new();
             names_in(of, &mut names);
             names.remove(index);
-            let reached = self.reached(&names);
             let is_written_out = [from, to].iter().all(|end| matches!(end, Tree::Number(_)));
             let hides = |name: &Name| is_written_out && hides_index(name, index);
-            names.iter().any(hides) || reached.difference(&names).any(|name| prints_letter(name, index))
+            // of y_i = a + b x_i it is seen
+            let shows = |name: &&Name| prints_letter(name, index);
+            let moves = |name: &Name| self.values(name).any(|value| moves_with(&value.right, index));
+            names.iter().any(hides) || self.reached(&names).iter().filter(|name| !shows(name)).any(moves)
         })
     }
 
@@ -1636,10 +1650,36 @@ fn is_sign_alone<'e>(equations: impl Iterator<Item = &'e Equation>, has_vectors:
     signs > 0 && signs == all && is_of_matrix && !is_power
 }
 
+/// Returns the last place at which a formula speaks of each letter.
+fn spoken_last(formulas: &[Formula], read: &[Vec<Equation>]) -> HashMap<Name, usize> {
+    let mut last = HashMap::new();
+    for (formula, equations) in formulas.iter().zip(read) {
+        let mut names = BTreeSet::new();
+        for equation in equations {
+            names_in(&equation.left, &mut names);
+            names_in(&equation.right, &mut names);
+        }
+        last.extend(names.into_iter().map(|name| (name, formula.part.start)));
+    }
+    last
+}
+
 /// Returns true if a name prints a letter, in its subscripts too.
 fn prints_letter(name: &Name, letter: &Name) -> bool {
     let letters = letters(&name.to_string(), &Names::default());
     letters.iter().any(|(own, _)| *own == letter.base)
+}
+
+/// Returns true if a value speaks of an index otherwise than in a sum of its own by it.
+fn moves_with(value: &Tree, index: &Name) -> bool {
+    match value {
+        Tree::Symbol(name, _) => prints_letter(name, index),
+        Tree::Operation(operation, _) if operation.letter() == Some(index) => false,
+        Tree::Call(name, ..) if prints_letter(name, index) => true,
+        _ => value
+            .find_below(&mut |part| moves_with(part, index).then_some(()))
+            .is_some(),
+    }
 }
 
 /// Returns true if a name prints an index and is no member of a family by it, `x_i` or `x_{i+1}`.
