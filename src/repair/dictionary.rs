@@ -81,7 +81,7 @@ impl Dictionaries {
         }
     }
 
-    /// What a factor may be, with whether it is negative: an entry, or where `joined` a product of two, a sum of two short
+    /// Finds what a factor may be, and whether it is negative: an entry, or where `joined` a product of two, a sum of two short
     /// products, or 1 and a product of two, none of them negative.
     pub fn factor(&self, wanted: &Wanted, joined: bool) -> Vec<(Tree, bool)> {
         if !joined {

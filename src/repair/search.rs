@@ -340,7 +340,7 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// Whether an edit takes the power from the quantity that the formula is about.
+    /// Returns true if an edit takes the power from the quantity that the formula is about.
     fn is_of_subject(&self, candidate: &Candidate) -> bool {
         let printed = self.formulas.get(candidate.formula);
         printed.is_some_and(
@@ -348,7 +348,7 @@ impl<'a> Search<'a> {
         )
     }
 
-    /// Whether an edit puts in what stands on a whole side: so any sides are balanced.
+    /// Returns true if an edit puts in what stands on a whole side: so any sides are balanced.
     fn puts_in_a_side(&self, candidate: &Candidate) -> bool {
         let Some(printed) = self.formulas.get(candidate.formula).map(|formula| &formula.equation) else {
             return false;
@@ -360,7 +360,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Whether an edit makes a sum of a side, or of a part of a term, that is none, no number, and begins with no minus.
+    /// Returns true if an edit makes a sum of a side, or of a part of a term, that is none, no number, and begins with no minus.
     fn makes_sum(&self, candidate: &Candidate) -> bool {
         let printed = self.formulas.get(candidate.formula);
         let part = printed.and_then(|printed| node(&printed.equation, &candidate.path));

@@ -1,6 +1,6 @@
 //! The signs of relations between values.
 
-/// What a sign says of the values beside it.
+/// The relation between two values that a sign states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Related {
     Equal,

@@ -104,7 +104,7 @@ pub(super) struct Guess {
     definitions: HashMap<Name, String>,
     /// The names that formulas within the text define.
     in_passing: HashSet<Name>,
-    /// Where each formula stands in the text.
+    /// The place of each formula in the text.
     places: Vec<usize>,
     /// The last place at which a formula speaks of each letter.
     spoken_last: HashMap<Name, usize>,

@@ -65,7 +65,8 @@ pub(super) struct Formula {
     pub is_of_display: bool,
     /// True if it stands within the text.
     pub is_aside: bool,
-    /// Where it ends to hold: of a formula within the text at the end of the environment, item or section around it.
+    /// The place in the text from which it no longer holds: of a formula within the text the end of the environment, item or section
+    /// around it.
     pub until: usize,
 }
 
