@@ -2058,6 +2058,7 @@ fn what_holds_by_more_than_is_read_is_not_suspect() {
     for text in [
         r"The projection $P$ satisfies $P^2 = P$, so \begin{align*} (1 - P)^2 &= 1 - 2 P + P^2 \\ &= 1 - P \end{align*}",
         r"\[ H^2 = H \] \begin{align*} H^3 &= H H^2 \\ &= H \end{align*}",
+        r"Pauli: $\sigma^2 = 1$. \begin{align*} \sigma^3 &= \sigma^2 \sigma \\ &= \sigma \end{align*}",
     ] {
         let ran = audited(&format!("% a note\n{text}\n"));
         assert_eq!(ran.status, Some(0), "{text}: {}", ran.stdout);
@@ -2084,6 +2085,9 @@ fn what_may_be_a_number_or_another_letter_is_no_sign_of_matrices() {
         r"Let $q = c_i v$. \[ Q = \sum_{i=1}^2 q \] \[ Q = 2 q \]",
         r"Let $X$ be an $n \times p$ matrix. \[ b = (X^T X)^{-1} X^T y \] \[ b = X^{-1} y \]",
         r"\[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
+        r"\[ C = X' X \] \[ C = X X' \]",
+        r"\[ b = (X^t X)^{-1} X^t y \] \[ b = y X^{-1} \]",
+        r"The data matrix is transposed in \[ C = X^t Y \] \[ C = Y X^t \]",
     ] {
         let last = decisions(&document(text, &[])).pop().unwrap();
         assert_ne!(last.verdict, Verdict::Proved, "{text}");

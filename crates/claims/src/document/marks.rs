@@ -49,6 +49,8 @@ impl Factors {
                 let is_of_matrices = |factor: &Tree| match factor {
                     Tree::Operation(operation, _) if matches!(**operation, Operation::Matrix(_)) => true,
                     factor if transposed(factor).is_some() => true,
+                    // X^t
+                    Tree::RealPower(of, ..) => letter_of_power(of).is_some_and(|name| matrices.contains(&name.base)),
                     factor => letter_of_power(factor).is_some_and(|name| {
                         is_typographic(name)
                             || matrices.contains(&name.base)
@@ -284,6 +286,9 @@ impl Marks {
         letters_of_matrices.append(&mut members.operators);
         letters_of_complex.append(&mut members.complex);
         let equations: Vec<&Equation> = formulas.flat_map(|(_, equations)| equations).collect();
+        let turned = turned_letters(&equations, members.says_transposed);
+        let has_matrices = has_matrices || !turned.is_empty();
+        letters_of_matrices.extend(turned);
         let mut factors = Factors::default();
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
             any(side, &mut |node| {
@@ -877,6 +882,35 @@ fn is_called_identity(name: &Name) -> bool {
         r"\mathrm{I}",
     ];
     bases.contains(&name.base.as_str()) && *name == base_alone(name)
+}
+
+/// Returns the capital letters of which `X'` or `X^t` is the transpose: it stands beside `X`, or the text speaks of transposes.
+fn turned_letters(equations: &[&Equation], says_transposed: bool) -> BTreeSet<String> {
+    let turned = |tree: &Tree| match tree {
+        Tree::Symbol(name, _) if name.primes == 1 && is_capital(name) => Some(name.base.clone()),
+        Tree::RealPower(of, exponent, _) => match (&**of, &**exponent) {
+            (Tree::Symbol(name, _), Tree::Symbol(sign, _)) if *sign == Name::plain("t") && is_capital(name) => {
+                Some(name.base.clone())
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_letter = |tree: &Tree, base: &str| matches!(tree, Tree::Symbol(name, _) if name.base == base);
+    let mut found = BTreeSet::new();
+    for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+        any(side, &mut |node| {
+            found.extend(turned(node).filter(|_| says_transposed));
+            if let Tree::Product(factors) = node {
+                for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
+                    found.extend(turned(first).filter(|base| is_letter(last, base)));
+                    found.extend(turned(last).filter(|base| is_letter(first, base)));
+                }
+            }
+            false
+        });
+    }
+    found
 }
 
 /// Returns the letter that stands with its transpose at the ends of a product: `X^T X`, `H P H^T`.

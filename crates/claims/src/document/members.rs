@@ -1,6 +1,5 @@
 //! Letters of which a document says in which set they lie, `$z \in \mathbb{C}$`, or that it marks by how it prints them.
 
-use super::asides;
 use std::collections::BTreeSet;
 
 /// The letters that a text marks as complex, and as matrices, vectors or operators.
@@ -20,8 +19,12 @@ pub(super) struct Members {
     pub has_vectors: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
-    /// The letters of each equation within the text.
+    /// The letters of each side of an equation within the text that is more than a letter.
     pub said: Vec<BTreeSet<String>>,
+    /// True if words of the text may say that a product is less than it looks.
+    pub says_more: bool,
+    /// True if the text speaks of transposes.
+    pub says_transposed: bool,
     /// True if the text speaks of the identity.
     pub says_identity: bool,
     /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
@@ -130,8 +133,17 @@ impl Members {
         members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
         members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
-        let said = inline.iter().filter(|formula| asides::states(formula));
-        members.said = said.map(|formula| letters(formula).collect()).collect();
+        let sides = inline
+            .iter()
+            .filter(|formula| formula.contains('='))
+            .flat_map(|formula| formula.split('='));
+        // `x = 2` says of x alone what it is
+        let says = sides.filter(|side| side.trim().len() > 1 && !side.trim().starts_with(|c: char| c.is_ascii_digit()));
+        members.said = says.map(|side| letters(side).collect()).collect();
+        members.says_more = ["idempotent", "nilpotent", "odulo"]
+            .iter()
+            .any(|word| text.contains(word));
+        members.says_transposed = text.contains("ranspose");
         for formula in &inline {
             // [x, p] = i \hbar, D = \frac{d}{dx}
             let plain: String = formula.chars().filter(|c| !c.is_whitespace()).collect();
@@ -243,10 +255,11 @@ impl Members {
         members
     }
 
-    /// Returns true if an equation within the text speaks of letters of a formula alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
+    /// Returns true if the text may say more of a formula than is read: a side of an equation within it speaks of letters of the
+    /// formula alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
     pub fn says_of(&self, tex: &str) -> bool {
         let own: BTreeSet<String> = letters(tex).collect();
-        self.said.iter().any(|said| !said.is_empty() && said.is_subset(&own))
+        self.says_more || self.said.iter().any(|said| !said.is_empty() && said.is_subset(&own))
     }
 
     /// Adds what a displayed formula marks by how it is printed.
