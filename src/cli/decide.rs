@@ -9,7 +9,7 @@ use crate::prove::{self, mention_refuted};
 use crate::repair::{Repair, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
-use crate::tex::{Equation, Relation, Tree, any_side, is_opaque, names_in};
+use crate::tex::{Equation, Relation, Tree, any_side, is_opaque, names_in, names_of};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -124,19 +124,11 @@ fn is_slip(repair: &Repair) -> bool {
 /// Returns true if the text, or a law before, speaks of letters of a formula alone: the formula may hold by that, used more often
 /// than it is tried.
 fn may_rest_on_more(sheet: &Sheet, position: usize) -> bool {
-    let letters = |equations: &[Equation]| {
-        let mut names = BTreeSet::new();
-        for equation in equations {
-            names_in(&equation.left, &mut names);
-            names_in(&equation.right, &mut names);
-        }
-        names
-    };
     let before = sheet.entries.get(..position).unwrap_or_default();
     sheet.entries.get(position).is_some_and(|entry| {
-        let own = letters(&entry.equations);
+        let own = names_of(&entry.equations);
         let is_of_own = |law: &Entry| {
-            let names = letters(&law.equations);
+            let names = names_of(&law.equations);
             law.standing == Standing::Law && !names.is_empty() && names.is_subset(&own)
         };
         entry.has_more_said || before.iter().any(is_of_own)

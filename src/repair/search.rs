@@ -674,8 +674,8 @@ fn takes_terms(node: &Tree, above: Option<&Tree>) -> bool {
     }
 }
 
-/// Every edit that puts in 1, a name, or the square of one as a term, within an elementary
-/// function also a part of pi or a product of two names.
+/// Every edit that puts in 1, a name, or the square of one as a term; within an elementary function also pi, half of it, or a
+/// product of two names.
 fn additions(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     let square = |atom: &Tree| Tree::Power(Box::new(atom.clone()), 2, At::default());
     let mut terms = vec![edit::number(1)];

@@ -169,6 +169,31 @@ pub(super) struct RawEntry {
 }
 
 impl RawEntry {
+    /// Makes an entry of which nothing more is said.
+    pub(super) fn new(label: Spanned<String>, role: Role, tex: Spanned<String>, expect: Verdict) -> Self {
+        Self {
+            label,
+            role,
+            tex,
+            local: Vec::new(),
+            with: Vec::new(),
+            assume: Vec::new(),
+            follows_from: None,
+            expect,
+            names: Vec::new(),
+            guessed: Vec::new(),
+            standing: Standing::Said,
+            doubts: Vec::new(),
+            operators: Vec::new(),
+            identities: Vec::new(),
+            columns: false,
+            has_more_said: false,
+            marked: Vec::new(),
+            unread: None,
+            way: None,
+        }
+    }
+
     /// The entry, or of a claim `A \Leftrightarrow B` its two ways, called `7 =>` and `7 <=`.
     pub(super) fn ways(&self) -> Vec<Self> {
         if self.role != Role::Claim || !is_equivalence(self.tex.get_ref()) {

@@ -199,7 +199,7 @@ pub struct WordQuestion {
 impl WordQuestion {
     /// Reads claim and premises; `None` where they say more than that equations hold, or cannot be written in words.
     ///
-    /// Where small letters are `columns`, `x^T A y` is a number.
+    /// `columns` says that small letters are columns, so that `x^T A y` is a number.
     pub fn of(statements: &Statements, operators: &BTreeSet<String>, columns: bool) -> Option<Self> {
         // a member of a family keeps its place where another does
         let is_member = |name: &Name| {
@@ -789,11 +789,11 @@ fn has_arrow(letter: &Letter) -> bool {
 /// Returns true for a small letter in bold, or one under an arrow: it is a vector, and no matrix.
 fn is_vector(letter: &Letter) -> bool {
     let of = BOLD.iter().find_map(|bold| letter.name.strip_prefix(bold));
-    let is_small = |of: &str| {
+    let begins_small = |of: &str| {
         of.trim_start_matches(['{', ' '])
             .starts_with(|c: char| c.is_ascii_lowercase())
     };
-    !letter.is_transposed && (has_arrow(letter) || of.is_some_and(is_small))
+    !letter.is_transposed && (has_arrow(letter) || of.is_some_and(begins_small))
 }
 
 /// The characters around the sign of a bound letter.

@@ -95,7 +95,9 @@ pub use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::{BOLD, Names, Opaque};
 pub use nearest::nearest;
-pub use nodes::{any, any_side, holds, holds_indefinite, names_in, nodes_of, parts, speaks_of, with_part, with_symbol};
+pub use nodes::{
+    any, any_side, holds, holds_indefinite, names_in, names_of, nodes_of, parts, speaks_of, with_part, with_symbol,
+};
 pub use place::{Lines, Place};
 pub use relations::{Related, related, sign_at};
 pub use substitute::{

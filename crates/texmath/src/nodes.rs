@@ -58,6 +58,16 @@ pub fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
     });
 }
 
+/// Returns the names in equations, as [`names_in`] tells them.
+pub fn names_of<'e>(equations: impl IntoIterator<Item = &'e Equation>) -> BTreeSet<Name> {
+    let mut names = BTreeSet::new();
+    for equation in equations {
+        names_in(&equation.left, &mut names);
+        names_in(&equation.right, &mut names);
+    }
+    names
+}
+
 /// Returns the number of nodes of a tree.
 pub fn nodes_of(tree: &Tree) -> usize {
     let mut count = 0;

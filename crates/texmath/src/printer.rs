@@ -3,6 +3,7 @@
 use super::argument::may_scale;
 use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL};
 use super::elementary::Elementary;
+use super::nodes::any;
 use super::{Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
 use numbers::Rational;
 use std::fmt;
@@ -145,9 +146,9 @@ pub(super) fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
     digit || mixed || (bracket && (may_call(before) || is_nested)) || may_scale(before, next)
 }
 
-/// Whether a symbol stands in a tree.
+/// Returns true if a symbol stands in a tree.
 fn has_symbol(tree: &Tree) -> bool {
-    matches!(tree, Tree::Symbol(..)) || tree.find_below(&mut |part| has_symbol(part).then_some(())).is_some()
+    any(tree, &mut |node| matches!(node, Tree::Symbol(..)))
 }
 
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.

@@ -17,7 +17,7 @@ use std::ops::Range;
 use texmath::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
     Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, index_of, is_bold, is_constant, is_opaque,
-    letters, names_in, pair_of, read_display, read_name, with_commands,
+    letters, names_in, names_of, pair_of, read_display, read_name, with_commands,
 };
 use toml::Spanned;
 
@@ -638,9 +638,7 @@ impl Guess {
             }
             new => new,
         };
-        let mut names = BTreeSet::new();
-        names_in(&equation.left, &mut names);
-        names_in(&equation.right, &mut names);
+        let mut names = names_of([equation]);
         let below = self.definitions_of(&names);
         let role = match &new {
             Some(name) => {
@@ -1098,11 +1096,7 @@ impl Guess {
             doubts.extend(others);
             // any letter may be one that keeps its place
             if !orders.is_empty() {
-                let mut all = BTreeSet::new();
-                for equation in stated.own.iter().chain(&stated.below) {
-                    names_in(&equation.left, &mut all);
-                    names_in(&equation.right, &mut all);
-                }
+                let all = names_of(stated.own.iter().chain(&stated.below).copied());
                 marked.operators = all.iter().map(ToString::to_string).collect();
                 marked.doubts.extend(orders);
             }
@@ -1120,27 +1114,23 @@ impl Guess {
         (doubts, marked)
     }
 
-    /// Returns what is doubtful where formulas of which some speak of a letter within a part of the text in which it has a value of
-    /// its own, and some behind that part.
+    /// Returns the doubt about formulas that share a letter, if it has a value of its own in a part of the text, and some of them
+    /// stand within that part and others behind it.
     fn another_value<'l>(&self, labels: impl Iterator<Item = &'l String>) -> Option<String> {
         let placed = labels.filter_map(|label| self.numbers.get(label));
         let placed = placed.filter_map(|&at| Some((*self.places.get(at)?, self.read.get(at)?)));
-        let placed: Vec<(usize, &Vec<Equation>)> = placed.collect();
-        let mut names = BTreeSet::new();
-        for equation in placed.iter().flat_map(|(_, own)| own.iter()) {
-            names_in(&equation.left, &mut names);
-            names_in(&equation.right, &mut names);
-        }
-        let is_mixed = |name: &&Name, parts: &[Range<usize>]| {
-            let speaking = placed
-                .iter()
-                .filter(|(_, own)| own.iter().any(|equation| speaks_of(equation, name)));
+        let placed: Vec<(usize, BTreeSet<Name>)> = placed.map(|(place, own)| (place, names_of(own))).collect();
+        let names: BTreeSet<&Name> = placed.iter().flat_map(|(_, own)| own).collect();
+        let is_mixed = |name: &Name, parts: &[Range<usize>]| {
+            let speaking = placed.iter().filter(|(_, own)| own.contains(name));
             let places: Vec<usize> = speaking.map(|(place, _)| *place).collect();
             let is_within = |part: &Range<usize>| places.iter().any(|place| part.contains(place));
             let is_behind = |part: &Range<usize>| places.iter().any(|place| *place >= part.end);
             parts.iter().any(|part| is_within(part) && is_behind(part))
         };
-        let mut scopes = names.iter().filter_map(|name| Some((name, self.scopes.get(name)?)));
+        let mut scopes = names
+            .into_iter()
+            .filter_map(|name| Some((name, self.scopes.get(name)?)));
         let (name, _) = scopes.find(|(name, parts)| is_mixed(name, parts))?;
         Some(format!("`{name}` has a value of its own in another part of the text"))
     }
@@ -1654,12 +1644,7 @@ fn is_sign_alone<'e>(equations: impl Iterator<Item = &'e Equation>, has_vectors:
 fn spoken_last(formulas: &[Formula], read: &[Vec<Equation>]) -> HashMap<Name, usize> {
     let mut last = HashMap::new();
     for (formula, equations) in formulas.iter().zip(read) {
-        let mut names = BTreeSet::new();
-        for equation in equations {
-            names_in(&equation.left, &mut names);
-            names_in(&equation.right, &mut names);
-        }
-        last.extend(names.into_iter().map(|name| (name, formula.part.start)));
+        last.extend(names_of(equations).into_iter().map(|name| (name, formula.part.start)));
     }
     last
 }
@@ -1686,14 +1671,6 @@ fn moves_with(value: &Tree, index: &Name) -> bool {
 fn hides_index(name: &Name, index: &Name) -> bool {
     let is_member = index_of(&name.subscript, &index.base).is_some() && !is_opaque(name);
     prints_letter(name, index) && !is_member
-}
-
-/// Returns true if a letter stands in an equation.
-fn speaks_of(equation: &Equation, name: &Name) -> bool {
-    any_side(
-        equation,
-        &mut |node| matches!(node, Tree::Symbol(own, _) | Tree::Call(own, ..) if own == name),
-    )
 }
 
 /// The capital letters that are transposed or inverted, or stand beside what is, or beside a letter in bold: `P \bm{d}`, `x^\top P`.

@@ -461,7 +461,7 @@ impl Marks {
             }
             for side in [&equation.left, &equation.right] {
                 any(side, &mut |node| {
-                    beside_numbers.extend(other_factor_of_identity(node, equation));
+                    beside_numbers.extend(multiplied_identity(node, equation));
                     false
                 });
             }
@@ -930,7 +930,7 @@ fn framing(product: &Tree) -> Option<String> {
 
 /// Returns a letter called as the identity that is multiplied by another capital letter, as nobody multiplies by 1; `I A = A` says
 /// that it is 1.
-fn other_factor_of_identity(node: &Tree, equation: &Equation) -> Option<Name> {
+fn multiplied_identity(node: &Tree, equation: &Equation) -> Option<Name> {
     let Tree::Product(factors) = node else { return None };
     let name = factors.iter().find_map(|factor| match factor {
         Tree::Symbol(name, _) if is_called_identity(name) => Some(name),

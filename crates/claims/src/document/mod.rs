@@ -513,25 +513,8 @@ fn entries(
         if formula.is_aside {
             raw.equation
                 .extend(guess.aside(at, label, formula.until).map(|(role, below)| RawEntry {
-                    label: here(label.clone()),
-                    role,
-                    tex: here(tex),
-                    local: Vec::new(),
-                    with: Vec::new(),
-                    assume: Vec::new(),
                     follows_from: Some(below.into_iter().map(here).collect()),
-                    expect: own.expect.unwrap_or_default(),
-                    names: Vec::new(),
-                    guessed: Vec::new(),
-                    standing: Standing::Said,
-                    doubts: Vec::new(),
-                    operators: Vec::new(),
-                    identities: Vec::new(),
-                    columns: false,
-                    has_more_said: false,
-                    marked: Vec::new(),
-                    unread: None,
-                    way: None,
+                    ..RawEntry::new(here(label.clone()), role, here(tex), own.expect.unwrap_or_default())
                 }));
             continue;
         }
@@ -568,9 +551,6 @@ fn entries(
             _ => guessed.standing,
         };
         raw.equation.push(RawEntry {
-            label: here(label.clone()),
-            role: guessed.role,
-            tex: here(tex),
             local: own.local,
             with: own.with,
             assume: own
@@ -579,18 +559,16 @@ fn entries(
                 .chain(guessed.assume.into_iter().map(here))
                 .collect(),
             follows_from: Some(follows_from.into_iter().map(here).collect()),
-            expect: own.expect.unwrap_or_default(),
             names: formula.labels.clone(),
             guessed: guessed.guessed,
             standing,
-            doubts: Vec::new(),
-            operators: Vec::new(),
-            identities: Vec::new(),
-            columns: false,
-            has_more_said: false,
-            marked: Vec::new(),
             unread,
-            way: None,
+            ..RawEntry::new(
+                here(label.clone()),
+                guessed.role,
+                here(tex),
+                own.expect.unwrap_or_default(),
+            )
         });
     }
     guess.complete(raw, lines);
