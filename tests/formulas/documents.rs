@@ -2196,6 +2196,8 @@ fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
         ),
         (r"\[ \mathbf{a} = s \mathbf{b} \]", r"s = \mathbf{a} \mathbf{b}^{-1}"),
         (
+        r"The least squares solution for the data $X$, $y$ is \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
+        r"Here $X$ is the data and $X^\top X$ is invertible. \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
             r"\[ A = \begin{pmatrix} a & b \\ c & d \end{pmatrix} \] \[ \mathbf{y} = A \mathbf{x} \]",
             r"\mathbf{y} = \mathbf{x} A",
         ),

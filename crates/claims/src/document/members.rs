@@ -226,7 +226,7 @@ impl Members {
         }
         for word in ["invertible", "nonsingular", "non-singular", "square"] {
             for (at, _) in text.match_indices(word) {
-                members.squares.extend(letters_beside(text, at, at + word.len()));
+                members.squares.extend(letters_called(text, at, at + word.len()));
             }
         }
         // the $n \times p$ matrix $X$
@@ -239,7 +239,7 @@ impl Members {
                 members.operators.extend(beside.iter().cloned());
                 members.matrices.extend(beside.iter().cloned());
                 match rows.trim() == columns.trim() {
-                    true => members.squares.extend(beside),
+                    true => members.squares.extend(letters_called(text, at, at + lengths.len() + 2)),
                     false => members.rectangles.extend(beside),
                 }
             }
@@ -304,6 +304,55 @@ fn inline(text: &str) -> Vec<String> {
 
 /// Returns the letters that stand alone, `$A$` or `$A, B$`, in the clause around a word of a text, near it.
 fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
+    let (before, behind) = clause(text, start, end);
+    // `$A$ and $B$ are matrices`: every second piece, counted from the word on either side
+    let before = before.rsplit('$').skip(1).step_by(2);
+    let behind = behind.split('$').skip(1).step_by(2);
+    before.chain(behind).flat_map(listed).collect()
+}
+
+/// Returns the letters that a word of a text, between two places, is an adjective of: `invertible matrices $A$ and $B$`, `$A$ is
+/// invertible`, `let $A$ be a square matrix`. No letter is returned for `$X^\top X$ is invertible` or `least square`.
+fn letters_called(text: &str, start: usize, end: usize) -> Vec<String> {
+    let (before, behind) = clause(text, start, end);
+    let words = |text: &str| -> Vec<String> {
+        let words = text.split(|c: char| !c.is_alphabetic() && c != '-');
+        words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    };
+    let (told, adjectives) = (
+        words(before.rsplit('$').next().unwrap_or_default()),
+        words(behind.split('$').next().unwrap_or_default()),
+    );
+    let is_part = before.ends_with(|c: char| c.is_alphanumeric() || c == '-')
+        || behind.starts_with(|c: char| c.is_alphanumeric() || c == '-');
+    if is_part || told.iter().chain(&adjectives).any(|word| word == "not") {
+        return Vec::new();
+    }
+    let is_noun = |word: &String| word.starts_with("matri");
+    let noun = adjectives.iter().position(is_noun);
+    let is_verb = |word: &String| ["is", "are", "be"].contains(&word.as_str());
+    let is_said = told.iter().any(is_verb);
+    // the formulas of a list have nothing but these between them
+    let goes_on = |between: &str| ["", ",", "and", ", and"].contains(&between.trim());
+    let pieces: Vec<&str> = match noun {
+        // `an invertible matrix $A$`
+        Some(noun) if noun + 1 == adjectives.len() && behind.contains('$') => behind.split('$').skip(1).collect(),
+        _ if is_said => before.rsplit('$').skip(1).collect(),
+        _ => return Vec::new(),
+    };
+    let mut found = Vec::new();
+    for pair in pieces.chunks(2) {
+        let Some(formula) = pair.first() else { break };
+        found.extend(listed(formula));
+        if !pair.get(1).is_some_and(|between| goes_on(between)) {
+            break;
+        }
+    }
+    found
+}
+
+/// Returns what stands before and behind a word of a text in its clause, near it.
+fn clause(text: &str, start: usize, end: usize) -> (&str, &str) {
     let before = text.get(..start).unwrap_or_default();
     let near = before.char_indices().rev().nth(FARTHEST).map_or(0, |(near, _)| near);
     let ends = [". ", ".\n", ";", "\n\n", r"\]", r"\end{", "$$"];
@@ -319,19 +368,17 @@ fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
     let behind = behind
         .get(..first_end(behind).unwrap_or(behind.len()))
         .unwrap_or_default();
-    let is_list = |part: &&str| {
-        // R_x as R
-        let letter = |part: &str| letters(part.split('_').next().unwrap_or_default()).count() == 1;
-        part.split(',')
-            .all(|part| letter(part) && !part.contains(['=', '^', '(', '+', '<', '>']))
-    };
-    // `$A$ and $B$ are matrices`: every second piece, counted from the word on either side
-    let before = before.rsplit('$').skip(1).step_by(2);
-    let behind = behind.split('$').skip(1).step_by(2);
-    let listed = before.chain(behind).filter(is_list).flat_map(|list| list.split(','));
-    listed
-        .flat_map(|part| letters(part.split('_').next().unwrap_or_default()))
-        .collect()
+    (before, behind)
+}
+
+/// Returns the letters of a list of letters, `A, B`, `R_x` as R; none of any other formula.
+fn listed(formula: &str) -> Vec<String> {
+    let root = |part: &str| -> Vec<String> { letters(part.split('_').next().unwrap_or_default()).collect() };
+    let is_letter = |part: &str| root(part).len() == 1 && !part.contains(['=', '^', '(', '+', '<', '>']);
+    match formula.split(',').all(is_letter) {
+        true => formula.split(',').flat_map(root).collect(),
+        false => Vec::new(),
+    }
 }
 
 /// Returns true for `n \times p`, `3\times2`: two letters or numbers.
@@ -480,6 +527,24 @@ mod tests {
         );
         assert_eq!(marked("the $3\\times 3$ inertia tensor $J$"), ["", "J"]);
         assert_eq!(marked("$x$ is a number. The matrix has rank two. $y$ is not"), ["", ""]);
+    }
+
+    #[test]
+    fn square_and_invertible_are_said_of_the_letters_they_belong_to() {
+        let squares = |text: &str| Members::of_text(text).squares.into_iter().collect::<Vec<_>>().join(" ");
+        for (text, expected) in [
+            ("Let $A$ be a square matrix.", "A"),
+            ("the invertible matrices $A$, $B$ and $C$ of $x$", "A B C"),
+            ("If $P$ and $Q$ are invertible, then", "P Q"),
+            ("the $n \\times n$ matrix $A$ and the data $X$", "A"),
+            ("Let $M$ be $2 \\times 2$ matrix of the data $X$", "M"),
+            ("The least squares solution for the data $X$, $y$", ""),
+            ("where $X$ is the data and $X^\\top X$ is invertible", ""),
+            ("$X$ need not be square; $Y$ is not invertible", ""),
+            ("the least square error of $X$", ""),
+        ] {
+            assert_eq!(squares(text), expected, "{text}");
+        }
     }
 
     #[test]
