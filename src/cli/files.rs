@@ -56,7 +56,8 @@ impl Files {
         files
     }
 
-    /// The text of a file that the document includes, by its name from the directory of the document or of the one that includes it.
+    /// The text of a file that the document includes, by its name from the directory of the document or of the one that includes it,
+    /// or from one above within the project, which authors name in `TEXINPUTS`.
     ///
     /// # Errors
     /// Why there is none: it is missing, cannot be read, or lies outside the project.
@@ -65,6 +66,7 @@ impl Files {
         let path = std::iter::once(&self.own)
             .chain(&root)
             .find_map(|directory| self.find(directory, name))
+            .or_else(|| self.find_above(name))
             .ok_or("there is no such file")?;
         if !self.holds(&path) {
             return Err(format!("it leads out of {}", self.top.display()));
@@ -112,7 +114,8 @@ impl Files {
     fn take_file(&self, name: &str, directory: &Path, depth: usize, preamble: &mut Preamble) {
         let Some(depth) = depth.checked_sub(1) else { return };
         for name in name.split(',').map(str::trim).filter(|name| !name.is_empty()) {
-            let path = self.find(directory, name).filter(|path| self.holds(path));
+            let path = self.find(directory, name).or_else(|| self.find_above(name));
+            let path = path.filter(|path| self.holds(path));
             let new = path.filter(|path| preamble.files.len() < MOST_FILES && preamble.files.insert(path.clone()));
             if let Some(text) = new.and_then(|path| text_of(&path)) {
                 self.take(&text, directory, depth, preamble);
@@ -123,6 +126,14 @@ impl Files {
     /// True for a file of the project.
     fn holds(&self, path: &Path) -> bool {
         matches!((path.canonicalize(), self.top.canonicalize()), (Ok(path), Ok(top)) if path.starts_with(&top))
+    }
+
+    /// The file of a name in the nearest directory above that of the document, within the project.
+    fn find_above(&self, name: &str) -> Option<PathBuf> {
+        ancestors(&self.own)
+            .iter()
+            .skip(1)
+            .find_map(|directory| self.find(directory, name))
     }
 
     /// The file of a name, with or without its extension.

@@ -1,6 +1,47 @@
-//! Formulas of Markdown that are printed by way of its own escapes: `\\[ a = b \\]`, `\\( x \\)`.
+//! Formulas of Markdown in quotes, and those that are printed by way of its own escapes: `\\[ a = b \\]`, `\\( x \\)`.
 
 use std::borrow::Cow;
+
+/// Writes blanks in the place of the signs `>` that begin the lines of a quote. Within a display that begins outside of a quote such a
+/// sign is a relation, and in code it is what it is.
+pub(super) fn unquoted(text: &str) -> Cow<'_, str> {
+    let is_quoted = |line: &str| line.trim_start_matches(' ').starts_with('>');
+    if !text.lines().any(is_quoted) {
+        return Cow::Borrowed(text);
+    }
+    let mut written = String::with_capacity(text.len());
+    // whether a display is open, and whether it began in a quote
+    let (mut is_display, mut began_quoted, mut is_code) = (false, false, false);
+    for line in text.split_inclusive('\n') {
+        let is_sign = is_quoted(line) && !is_code && (!is_display || began_quoted);
+        let signs = line.len() - line.trim_start_matches([' ', '>']).len();
+        let (signs, rest) = line.split_at(if is_sign { signs } else { 0 });
+        written.extend(signs.chars().map(|_| ' '));
+        written.push_str(rest);
+        is_code ^= rest.trim_start().starts_with("```");
+        let (opened, closed) = DISPLAYS.iter().fold((0, 0), |(opened, closed), [open, close]| {
+            (
+                opened + rest.matches(open).count(),
+                closed + rest.matches(close).count(),
+            )
+        });
+        let was_display = is_display;
+        is_display = (is_display ^ (rest.matches("$$").count() % 2 == 1) || opened > closed) && closed <= opened;
+        if is_display && !was_display {
+            began_quoted = is_sign;
+        }
+    }
+    Cow::Owned(written)
+}
+
+/// What opens and closes displays, beside dollars.
+const DISPLAYS: [[&str; 2]; 5] = [
+    [r"\[", r"\]"],
+    [r"\begin{equation", r"\end{equation"],
+    [r"\begin{align", r"\end{align"],
+    [r"\begin{gather", r"\end{gather"],
+    [r"\begin{multline", r"\end{multline"],
+];
 
 /// Writes displays between `\\[` and `\\]` as those between `\[` and `\]`, formulas between `\\(` and `\\)` as those between dollars,
 /// and what is escaped within as it prints; each byte stays in its place.
@@ -66,6 +107,27 @@ fn printed(formula: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn signs_of_quotes_are_blanks_and_relations_stay() {
+        for (text, wanted) in [
+            (
+                "> so\n> $$\n> a = b\n> + c\n> $$\n",
+                "  so\n  $$\n  a = b\n  + c\n  $$\n",
+            ),
+            ("$$\na\n> b\n$$\n> $$ c\n> > d $$", "$$\na\n> b\n$$\n  $$ c\n    d $$"),
+            ("> \\[\n>  a \\]\n\\[ b\n> c \\]", "  \\[\n   a \\]\n\\[ b\n> c \\]"),
+            (
+                "> \\begin{align}\n> a\n> \\end{align}",
+                "  \\begin{align}\n  a\n  \\end{align}",
+            ),
+            ("```\n> a\n```\n> b", "```\n> a\n```\n  b"),
+            ("$a$ and $b > c$", "$a$ and $b > c$"),
+        ] {
+            let found = unquoted(text);
+            assert_eq!((found.as_ref(), found.len()), (wanted, text.len()), "{text}");
+        }
+    }
 
     #[test]
     fn what_markdown_escapes_is_read_as_it_prints_and_stays_in_its_place() {

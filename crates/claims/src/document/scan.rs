@@ -4,7 +4,7 @@ use super::super::fault::File;
 use super::asides;
 use super::comment::{is_misspelt, is_of_document};
 use super::macros::{DEFINING, Macros};
-use super::markdown::unescaped;
+use super::markdown::{unescaped, unquoted};
 use super::rows::{Row, blank, rows};
 use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
 use std::collections::{HashMap, HashSet, VecDeque};
@@ -342,7 +342,7 @@ impl<'a> Scan<'a> {
         self.files.push(File { start, name });
         match self.markup {
             Markup::Tex => self.text.push_str(text),
-            Markup::Markdown => self.text.push_str(&unescaped(text)),
+            Markup::Markdown => self.text.push_str(&unescaped(&unquoted(text))),
         }
         if !text.ends_with('\n') {
             self.text.push('\n');
