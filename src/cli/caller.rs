@@ -250,6 +250,6 @@ mod tests {
         assert!(reply.page.unwrap().starts_with("<!DOCTYPE html>"));
         assert_eq!(reply.tables.len(), 1);
         let names: Vec<&str> = reply.tables[0].columns.iter().map(|(name, _)| name.as_str()).collect();
-        assert_eq!((names[0], names.len()), ("label", 11));
+        assert_eq!((names[0], names.len()), ("label", 12));
     }
 }

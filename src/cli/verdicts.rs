@@ -16,7 +16,7 @@ use crate::tex::Equation;
 use rayon::prelude::*;
 
 /// The columns that scripts rely on.
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 12] = [
     "label",
     "verdict",
     "expected",
@@ -28,6 +28,7 @@ const COLUMNS: [&str; 11] = [
     "repair",
     FINGERPRINT,
     "reductions",
+    "reading",
 ];
 
 /// The column that a person does not read.
@@ -173,6 +174,7 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from((!row.repairs().is_empty()).then(|| repairs(row, sheet, is_for_scripts))),
             Cell::from(row.fingerprint(sheet)),
             Cell::from(Some(decision.reductions()).filter(|rules| !rules.is_empty())),
+            Cell::from((!decision.readings.is_empty()).then(|| decision.readings.join("; "))),
         ];
         let cells = COLUMNS.into_iter().zip(cells).filter(|(column, _)| is_shown(column));
         table.push(cells.map(|(_, cell)| cell).collect::<Vec<_>>())?;
@@ -421,10 +423,16 @@ impl Audited {
             verdict: decision.verdict.to_string(),
             is_expected: row.is_expected() && !is_against,
             is_known: row.is_known,
-            message: match &decision.counterexample {
-                Some(point) => format!("{}; counterexample: {point}", row.reason()),
-                None => row.reason(),
-            },
+            message: std::iter::once(row.reason())
+                .chain(
+                    decision
+                        .counterexample
+                        .iter()
+                        .map(|point| format!("counterexample: {point}")),
+                )
+                .chain((!decision.readings.is_empty()).then(|| format!("read as: {}", decision.readings.join("; "))))
+                .collect::<Vec<_>>()
+                .join("; "),
             file: self.path(decision.file.as_deref()),
             start: decision.place,
             end: end.and_then(|source| source.place_of(source.tex.len())),

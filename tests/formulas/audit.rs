@@ -6,7 +6,8 @@ use crate::common::program::{Ran, program, run, scratch};
 fn rows(ran: &Ran) -> Vec<(String, String, String, Option<f64>)> {
     let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
     let header: Vec<String> = reader.headers().expect("a header").iter().map(String::from).collect();
-    let columns = "label,verdict,expected,digits,counterexample,reason,provided,place,repair,fingerprint,reductions";
+    let columns =
+        "label,verdict,expected,digits,counterexample,reason,provided,place,repair,fingerprint,reductions,reading";
     assert_eq!(header.join(","), columns);
     let row = |row: csv::StringRecord| (row[0].into(), row[1].into(), row[2].into(), row[3].parse().ok());
     reader.records().map(|record| row(record.expect("a row"))).collect()

@@ -1900,6 +1900,63 @@ fn macros_are_those_of_the_document_that_includes_this_one() {
 }
 
 #[test]
+fn a_file_is_looked_for_in_the_directories_above_too() {
+    let scratch = scratch("above");
+    std::fs::create_dir_all(scratch.join("book/one/two")).unwrap();
+    std::fs::create_dir_all(scratch.join("book/.git")).unwrap();
+    scratch.file("book/header.tex", "\\newcommand{\\half}{\\frac{1}{2}}\n");
+    scratch.file("outside.tex", "\\newcommand{\\third}{\\frac{1}{3}}\n");
+    scratch.file(
+        "book/one/two/own.tex",
+        "\\documentclass{article}\\input{header}\\input{outside}\\begin{document}\n\\[ \\half a + \\half a = a \\]\n\\[ 3 \\third a = a \\]\n\\end{document}\n",
+    );
+    let ran = scratch.run(&["audit", "book/one/two/own.tex", "--format", "csv"]);
+    assert!(ran.stdout.contains("line 2,proved,"), "{}{}", ran.stdout, ran.stderr);
+    assert!(!ran.stdout.contains("line 3,proved,"), "{}{}", ran.stdout, ran.stderr);
+}
+
+#[test]
+fn functions_of_several_arguments_are_put_in_where_a_definition_gives_them() {
+    let text = r"
+$$ Q(x, y) = a x^2 y $$
+$$ Q(1, 2) = 2 a $$
+$$ 2 Q(y, x) = 2 a y^2 x $$
+$$ \frac{\partial Q}{\partial x} = 2 a x y $$
+$$ 2 Q(x, y) = 2 a x y^2 $$
+$$ Q(1, 2) = 3 a $$
+
+The wave is
+$$ u(x, t) = A \sin(k x - \omega t) $$
+$$ \frac{\partial^2 u}{\partial t^2} = -\omega^2 u(x, t) $$
+$$ \frac{\partial^2 u}{\partial x \partial t} = k \omega u $$
+$$ \frac{\partial^2 u}{\partial x^2} = k^2 u $$
+$$ u(x, 0) = A \sin k x $$
+";
+    let is_proved = |text: &str| -> Vec<bool> {
+        let decided = decisions(&document(text, &[]));
+        decided.iter().map(|row| row.verdict == Verdict::Proved).collect()
+    };
+    let wanted = [false, true, true, true, false, false, false, true, true, false, true];
+    assert_eq!(is_proved(text), wanted);
+    // of what is no definition nothing is known, and it is read all the same
+    for text in [
+        "$$ G(x, y) = - G(y, x) $$\n\n$$ G(1, 2) = - G(2, 1) $$",
+        "$$ P(A, B) = c P(A) $$\n\n$$ P(A) = 1 $$\n\n$$ P(1, 2) = c $$",
+        "$$ h(1, 2) = 3 $$\n\n$$ h(x, y) = x + y $$\n\n$$ h(2, 2) = 5 $$",
+        "$$ h(x, x) = 2 x $$\n\n$$ h(1, 2) = 2 $$",
+        // what else may depend on x, and on t
+        "$$ f(x, y) = x^2 y $$\n\n$$ \\frac{d f}{d x} = 2 x y $$",
+        "$$ L(x, v) = m v^2 - k x $$\n\n$$ \\frac{d}{dt} \\frac{\\partial L}{\\partial v} = 0 $$",
+        "$$ u(x, t) = t x $$\n\n$$ \\int_0^1 u \\, dx = t x $$",
+        "$$ h(x_1, \\dots, x_n) = x_1 $$\n\n$$ h(1, 2) = 1 $$",
+    ] {
+        let decided = decisions(&document(text, &[]));
+        let is_wanted = |row: &Decision| !matches!(row.verdict, Verdict::Proved | Verdict::Unread);
+        assert!(decided.iter().all(is_wanted), "{text}: {decided:#?}");
+    }
+}
+
+#[test]
 fn nothing_follows_from_a_derived_formula_that_is_not_proved() {
     for text in [
         "$$ f = (1+x)^2 = 1 + 2 x $$\n\n$$ z = 1 - 7 x $$\n\n$$ z = x^2 $$\n",
@@ -2054,6 +2111,57 @@ fn what_the_text_says_holds_in_its_part_alone() {
 }
 
 #[test]
+fn displays_of_an_example_a_case_or_a_proof_hold_to_its_end() {
+    let tex = |text: &str| {
+        let document = Document::read(text, Markup::Tex, &mut |_| Err(String::new()));
+        decisions(&document).pop().unwrap()
+    };
+    let markdown = |text: &str| {
+        let document = Document::read(text, Markup::Markdown, &mut |_| Err(String::new()));
+        decisions(&document).pop().unwrap()
+    };
+    let claim = r"\[ 3 k = 6 m \]";
+    for part in [
+        r"\begin{example} Let \[ k = 2 m. \] \end{example}",
+        r"\begin{proof} Suppose \[ k = 2 m. \] That is absurd. \end{proof}",
+        r"\begin{Exercise}[Easy] Let \[ k = 2 m. \] \end{Exercise} \begin{Exercise}",
+        r"\begin{itemize} \item Case 1: here \[ k = 2 m. \] \item Case 2:",
+        r"\begin{enumerate} \item[(a)] If $m$ is small, \[ k = 2 m. \] \end{enumerate}",
+        "\\subsection{Example: a spring} Let \\[ k = 2 m. \\]\n\n\\subsection{In general}\n",
+        "Case 1. Let \\[ k = 2 m. \\]\n\nCase 2. Here\n",
+    ] {
+        let decision = tex(&format!("{part} {claim}"));
+        assert_ne!(decision.verdict, Verdict::Proved, "{part}: {}", decision.reason);
+        assert_ne!(decision.verdict, Verdict::Unread, "{part}: {}", decision.reason);
+        // within the part it holds
+        let within = part.replacen(r"2 m. \]", &format!(r"2 m. \] so {claim} "), 1);
+        let document = Document::read(&within, Markup::Tex, &mut |_| Err(String::new()));
+        let all = decisions(&document);
+        assert!(
+            all.iter().any(|row| row.verdict == Verdict::Proved),
+            "{within}: {all:#?}"
+        );
+    }
+    for part in [
+        "## Example 1\n\n$$ k = 2 m $$\n\n## Example 2",
+        ":::{exercise}\n$$ k = 2 m $$\n:::",
+    ] {
+        let decision = markdown(&format!("{part}\n\n$$ 3 k = 6 m $$\n"));
+        assert_ne!(decision.verdict, Verdict::Proved, "{part}: {}", decision.reason);
+    }
+    // what holds on
+    for part in [
+        r"\[ k = 2 m. \]",
+        r"\begin{definition} Let \[ k = 2 m. \] \end{definition}",
+        r"\begin{itemize} \item The stiffness is \[ k = 2 m. \] \item The mass is m. \end{itemize}",
+        r"\section{The spring} Let \[ k = 2 m. \] \section{Results}",
+    ] {
+        let decision = tex(&format!("{part} {claim}"));
+        assert_eq!(decision.verdict, Verdict::Proved, "{part}: {}", decision.reason);
+    }
+}
+
+#[test]
 fn what_holds_by_more_than_is_read_is_not_suspect() {
     for text in [
         r"The projection $P$ satisfies $P^2 = P$, so \begin{align*} (1 - P)^2 &= 1 - 2 P + P^2 \\ &= 1 - P \end{align*}",
@@ -2088,6 +2196,8 @@ fn what_may_be_a_number_or_another_letter_is_no_sign_of_matrices() {
         r"\[ C = X' X \] \[ C = X X' \]",
         r"\[ b = (X^t X)^{-1} X^t y \] \[ b = y X^{-1} \]",
         r"The data matrix is transposed in \[ C = X^t Y \] \[ C = Y X^t \]",
+        r"The least squares solution for the data $X$, $y$ is \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
+        r"Here $X$ is the data and $X^\top X$ is invertible. \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
     ] {
         let last = decisions(&document(text, &[])).pop().unwrap();
         assert_ne!(last.verdict, Verdict::Proved, "{text}");
@@ -2196,8 +2306,6 @@ fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
         ),
         (r"\[ \mathbf{a} = s \mathbf{b} \]", r"s = \mathbf{a} \mathbf{b}^{-1}"),
         (
-        r"The least squares solution for the data $X$, $y$ is \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
-        r"Here $X$ is the data and $X^\top X$ is invertible. \[ b = (X^\top X)^{-1} X^\top y \] \[ b = X^{-1} y \]",
             r"\[ A = \begin{pmatrix} a & b \\ c & d \end{pmatrix} \] \[ \mathbf{y} = A \mathbf{x} \]",
             r"\mathbf{y} = \mathbf{x} A",
         ),

@@ -112,6 +112,68 @@ impl Entry {
 }
 
 impl Sheet {
+    /// Reads letters before brackets as the values of what they stand for, `V(x^2)` after `V = a x^2 + b`, where the argument is the
+    /// letter that both share; the product stays as another reading. A sum in brackets is mostly a factor.
+    pub(super) fn take_values(&mut self) {
+        for position in 0..self.entries.len() {
+            let Some(claim) = self.entries.get(position).filter(|claim| claim.unread.is_none()) else {
+                continue;
+            };
+            let below = self.below(claim);
+            let mut read: Option<Entry> = None;
+            for (number, doubt) in claim.doubts.iter().enumerate() {
+                let DoubtKind::Argument { of, inside, .. } = &doubt.kind else {
+                    continue;
+                };
+                let Some(value) = self.value_at(of, inside, claim, &below) else {
+                    continue;
+                };
+                let reading = Reading::Value {
+                    of: of.clone(),
+                    inside: inside.clone(),
+                    value: value.clone(),
+                };
+                let Some(mut new) = read.as_ref().unwrap_or(claim).read_otherwise(&[&reading]) else {
+                    continue;
+                };
+                if let Some(doubt) = new.doubts.get_mut(number) {
+                    let letter = Tree::Symbol(of.clone(), doubt.at);
+                    doubt.kind = DoubtKind::Argument {
+                        of: of.clone(),
+                        inside: inside.clone(),
+                        readings: vec![OtherReading {
+                            taken: value,
+                            other: Tree::Product(vec![letter, inside.clone()]),
+                        }],
+                    };
+                }
+                read = Some(new);
+            }
+            if let (Some(entry), Some(read)) = (self.entries.get_mut(position), read) {
+                *entry = read;
+            }
+        }
+    }
+
+    /// The value of a letter at the content of the bracket behind it, where one formula in letters gives it, and one letter of that
+    /// stands in the bracket.
+    fn value_at(&self, of: &Name, inside: &Tree, claim: &Entry, below: &[&Entry]) -> Option<Tree> {
+        let is_known = self.symbols.is_parameter(of) || self.symbols.impact(of).is_some();
+        let meanings = self.meanings(of, claim, below);
+        let [meaning] = meanings.as_slice() else {
+            return None;
+        };
+        let inner = letters_of(inside);
+        let shared: Vec<Name> = letters_of(meaning)
+            .into_iter()
+            .filter(|letter| inner.contains(letter))
+            .collect();
+        match shared.as_slice() {
+            [letter] if !is_known && !matches!(inside, Tree::Sum(_)) => Some(with_symbol(meaning, letter, inside)),
+            _ => None,
+        }
+    }
+
     /// The places at which the claim at a position, or something that it rests on, has a meaning that was not taken.
     pub fn doubts(&self, position: usize) -> Vec<DoubtKind> {
         let Some(claim) = self.entries.get(position) else {
@@ -189,7 +251,7 @@ impl Sheet {
     /// The other readings of a place, where all are known.
     fn readings(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> Vec<Reading> {
         let (of, inside) = match kind {
-            DoubtKind::Argument { of, inside } => (of, inside),
+            DoubtKind::Argument { of, inside, readings } if readings.is_empty() => (of, inside),
             DoubtKind::OddRoot { .. } => return vec![Reading::OddRoots],
             kind => return kind.readings().iter().cloned().map(Reading::Part).collect(),
         };

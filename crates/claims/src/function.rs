@@ -1,11 +1,12 @@
-//! Functions that definitions give, as `f(x) = x^2`, written out where they are applied; and partial derivatives of
-//! what definitions give.
+//! Functions that definitions give, as `f(x) = x^2` and `g(x, y) = x y`, written out where they are applied; and partial
+//! derivatives of what definitions give.
 
 use super::circle::ordered;
 use super::definition::{Local, local};
 use super::kinds::may_take;
 use super::size::{Budget, Size};
 use std::cell::RefCell;
+use std::collections::HashSet;
 use texmath::{
     At, Equation, Name, Operation, Relation, Symbols, Tree, any, functions_given, index_of, mapped, rewrite, speaks_of,
 };
@@ -14,7 +15,8 @@ use texmath::{
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Function {
     name: Name,
-    argument: Name,
+    /// One or more, no name twice.
+    arguments: Vec<Name>,
     value: Tree,
 }
 
@@ -29,36 +31,49 @@ pub(super) struct Given {
 type Problem = (usize, String);
 
 /// The names of functions that definitions give by their TeX: where the name is declared it is no new one, and what
-/// runs, counts or means something else is no argument.
-pub(super) fn names_given<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Symbols) -> Vec<Name> {
-    let mut names: Vec<Name> = Vec::new();
-    for (name, argument) in texts.flat_map(|tex| functions_given(tex, &symbols.names)) {
+/// runs, counts or means something else is no argument. The second list has those of several arguments.
+pub(super) fn names_given<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Symbols) -> [Vec<Name>; 2] {
+    let (mut names, mut several): (Vec<Name>, Vec<Name>) = (Vec::new(), Vec::new());
+    for (name, arguments) in texts.flat_map(|tex| functions_given(tex, &symbols.names)) {
         let is_new = !symbols.knows(&name) && name.mark.is_empty() && name.primes == 0 && !names.contains(&name);
-        let is_time = symbols.running() == Some(&argument);
-        let is_plain = is_time || symbols.is_parameter(&argument) || !symbols.knows(&argument);
-        if is_new && is_plain {
-            if is_time || argument.to_string() == "t" {
+        let is_time = |argument: &Name| symbols.running() == Some(argument);
+        let is_plain =
+            |argument: &Name| is_time(argument) || symbols.is_parameter(argument) || !symbols.knows(argument);
+        if is_new && arguments.iter().all(is_plain) && are_different(&arguments) {
+            if let [argument] = arguments.as_slice()
+                && (is_time(argument) || argument.to_string() == "t")
+            {
                 names.extend([name.dotted(), name.dotted().dotted()]);
             }
+            several.extend((arguments.len() > 1).then(|| name.clone()));
             names.push(name);
         }
     }
-    names
+    [names, several]
+}
+
+/// Returns true if no name stands twice in a list.
+fn are_different(names: &[Name]) -> bool {
+    let mut met = HashSet::new();
+    names.iter().all(|name| met.insert(name))
 }
 
 /// The function that an equation gives.
 fn function(equation: &Equation, symbols: &Symbols) -> Option<Function> {
-    match (&equation.left, equation.relation) {
-        (Tree::Call(name, argument, _), Relation::Equal) if symbols.names.defined.contains(name) => match &**argument {
-            Tree::Symbol(argument, _) => Some(Function {
-                name: name.clone(),
-                argument: argument.clone(),
-                value: equation.right.clone(),
-            }),
-            _ => None,
-        },
+    let Tree::Call(name, argument, _) = &equation.left else {
+        return None;
+    };
+    let is_given = equation.relation == Relation::Equal && symbols.names.defined.contains(name);
+    let names = argument.arguments().iter().map(|argument| match argument {
+        Tree::Symbol(name, _) => Some(name.clone()),
         _ => None,
-    }
+    });
+    let arguments = names.collect::<Option<Vec<Name>>>()?;
+    (is_given && are_different(&arguments)).then(|| Function {
+        name: name.clone(),
+        arguments,
+        value: equation.right.clone(),
+    })
 }
 
 impl Given {
@@ -143,7 +158,7 @@ impl Given {
 
     /// The function whose formula speaks of a name, other than as its argument.
     pub(super) fn function_of(&self, name: &Name) -> Option<&Name> {
-        let speaks = |function: &&Function| function.argument != *name && speaks_of(&function.value, name);
+        let speaks = |function: &&Function| !function.arguments.contains(name) && speaks_of(&function.value, name);
         self.functions.iter().find(speaks).map(|function| &function.name)
     }
 
@@ -214,25 +229,30 @@ impl Given {
                     (at.0, format!("`{name}` {problem}"))
                 })?;
                 let argument = self.written_within(argument, symbols, budget)?;
-                may_take(symbols, &function.argument, &argument).map_err(|problem| (at.0, problem))?;
-                if let Some(held) = self.held(function, symbols)
-                    && argument != Tree::Symbol(function.argument.clone(), *at)
-                {
-                    let problem = format!("depends on `{}` without its bracket", function.argument);
-                    return Err((
-                        at.0,
-                        format!("`{held}` stands in `{name}` and {problem}: write it out there"),
-                    ));
+                let put_in = argument.arguments();
+                if put_in.len() != function.arguments.len() {
+                    let problem = format!("has {} arguments where it is defined", function.arguments.len());
+                    return Err((at.0, format!("`{name}` {problem}, and {} here", put_in.len())));
                 }
-                Ok(Some(function.at(&argument, order, *at, budget)?))
+                for (own, new) in function.arguments.iter().zip(put_in) {
+                    may_take(symbols, own, new).map_err(|problem| (at.0, problem))?;
+                    if let Some(held) = self.held(function, own, symbols)
+                        && *new != Tree::Symbol(own.clone(), *at)
+                    {
+                        let problem = format!("depends on `{own}` without its bracket");
+                        return Err((
+                            at.0,
+                            format!("`{held}` stands in `{name}` and {problem}: write it out there"),
+                        ));
+                    }
+                }
+                Ok(Some(function.at(put_in, order, *at, budget)?))
             }
-            Tree::Symbol(name, at) if symbols.running().is_some() && is_given(name, symbols) => {
+            // u for u(x, t)
+            Tree::Symbol(name, at) if is_given(name, symbols) => {
                 let function = self.of_name(name);
-                let of_time = function.filter(|(function, _)| symbols.running() == Some(&function.argument));
-                of_time
-                    .map(|(function, order)| {
-                        function.at(&Tree::Symbol(function.argument.clone(), *at), order, *at, budget)
-                    })
+                function
+                    .map(|(function, order)| function.at(&function.own(*at), order, *at, budget))
                     .transpose()
             }
             Tree::Operation(operation, at) => match &**operation {
@@ -245,10 +265,10 @@ impl Given {
                     let function = self
                         .functions
                         .iter()
-                        .find(|function| function.name == *name && function.argument == *by)
+                        .find(|function| function.name == *name && function.arguments.contains(by))
                         .filter(|_| *there == Tree::Symbol(by.clone(), *at));
                     function
-                        .map(|function| function.at(there, *order, *at, budget))
+                        .map(|function| function.derived(by, *order, *at, budget))
                         .transpose()
                 }
                 _ => Ok(None),
@@ -269,9 +289,9 @@ impl Given {
         let function = self
             .functions
             .iter()
-            .find(|function| function.name == *of && function.argument == *by);
+            .find(|function| function.name == *of && function.arguments.contains(by));
         if let Some(function) = function {
-            return function.at(&Tree::Symbol(by.clone(), at), 1, at, budget).map(Some);
+            return function.derived(by, 1, at, budget).map(Some);
         }
         let Some(local) = self.names.iter().find(|local| local.name == *of) else {
             return Ok(None);
@@ -311,9 +331,8 @@ impl Given {
         )))
     }
 
-    /// What depends on the argument of a function in its formula, and would not take part where another is put in.
-    fn held(&self, function: &Function, symbols: &Symbols) -> Option<Name> {
-        let argument = &function.argument;
+    /// What depends on an argument of a function in its formula, and would not take part where another is put in.
+    fn held(&self, function: &Function, argument: &Name, symbols: &Symbols) -> Option<Name> {
         let is_time = symbols.running() == Some(argument);
         let conjugates = |name: &Name| symbols.is_conjugate_of(name, argument);
         let numbers = |name: &Name| index_of(&name.subscript, &argument.to_string()).is_some();
@@ -368,18 +387,49 @@ impl Function {
         matches!(node, Tree::Call(name, ..) | Tree::Symbol(name, _) if is_of(name, &self.name).is_some())
     }
 
-    /// Its value at an argument, or that of a derivative.
+    /// Its value where each argument is put in, or that of a derivative of a function of one.
+    ///
+    /// # Errors
+    /// The place and the reason: a value that would be too large, a derivative of a function of several arguments.
+    fn at(&self, put_in: &[Tree], order: u32, at: At, budget: &Budget) -> Result<Tree, Problem> {
+        let pairs: Vec<(Name, Tree)> = self.arguments.iter().cloned().zip(put_in.iter().cloned()).collect();
+        let size = Size::with(&self.value, &pairs);
+        size.and_then(|size| budget.spend(size))
+            .map_err(|problem| (at.0, format!("`{}` is {problem}", self.name)))?;
+        match (order, pairs.as_slice()) {
+            (0, _) => Ok(rewrite(&self.value, &|name| {
+                let own = pairs.iter().find(|(own, _)| own == name);
+                own.map(|(_, new)| new.clone())
+            })),
+            (_, [(by, there)]) => Ok(derivative(self.value.clone(), by, order, there, at)),
+            _ => {
+                let instead = "write \\frac{\\partial}{\\partial x}";
+                Err((
+                    at.0,
+                    format!(
+                        "a prime or a dot on `{}`, which has several arguments: {instead}",
+                        self.name
+                    ),
+                ))
+            }
+        }
+    }
+
+    /// Its derivative by one of its arguments.
     ///
     /// # Errors
     /// The place and the reason: a value that would be too large.
-    fn at(&self, argument: &Tree, order: u32, at: At, budget: &Budget) -> Result<Tree, Problem> {
-        let size = Size::with(&self.value, &self.argument, argument);
-        size.and_then(|size| budget.spend(size))
-            .map_err(|problem| (at.0, format!("`{}` is {problem}", self.name)))?;
-        Ok(match order {
-            0 => rewrite(&self.value, &|name| (*name == self.argument).then(|| argument.clone())),
-            _ => derivative(self.value.clone(), &self.argument, order, argument, at),
-        })
+    fn derived(&self, by: &Name, order: u32, at: At, budget: &Budget) -> Result<Tree, Problem> {
+        let value = self.at(&self.own(at), 0, at, budget)?;
+        Ok(derivative(value, by, order, &Tree::Symbol(by.clone(), at), at))
+    }
+
+    /// Its arguments as they stand in its definition.
+    fn own(&self, at: At) -> Vec<Tree> {
+        self.arguments
+            .iter()
+            .map(|name| Tree::Symbol(name.clone(), at))
+            .collect()
     }
 }
 

@@ -86,7 +86,8 @@ impl Sheet {
         };
         let mut symbols = symbols;
         let equations: Vec<RawEntry> = raw.equation.iter().flat_map(RawEntry::ways).collect();
-        symbols.names.defined = names_given(equations.iter().flat_map(RawEntry::defining), &symbols);
+        [symbols.names.defined, symbols.names.several] =
+            names_given(equations.iter().flat_map(RawEntry::defining), &symbols);
         let positions = positions(lines, &equations)?;
         let needed = needed(&equations, &positions);
         let mut entries = Vec::new();
@@ -121,6 +122,7 @@ impl Sheet {
         sheet.refuse_bound_letters();
         sheet.write_functions_out();
         sheet.part_definitions();
+        sheet.take_values();
         sheet.check_names();
         sheet.leave_out_laws_that_are_unread();
         Ok(sheet)

@@ -35,13 +35,12 @@ impl Size {
         Sizes::new(std::iter::empty()).of(tree)
     }
 
-    /// Computes the size of a tree in which `to` replaces a name, which may occur in `to` again.
+    /// Computes the size of a tree in which names are replaced all at once; they may occur in what replaces them.
     ///
     /// # Errors
     /// [`TooLarge`].
-    pub(super) fn with(tree: &Tree, name: &Name, to: &Tree) -> Result<Self, TooLarge> {
-        let pairs = [(name.clone(), to.clone())];
-        Sizes::new(std::iter::empty()).replacing(&pairs)?.of(tree)
+    pub(super) fn with(tree: &Tree, pairs: &[(Name, Tree)]) -> Result<Self, TooLarge> {
+        Sizes::new(std::iter::empty()).replacing(pairs)?.of(tree)
     }
 }
 

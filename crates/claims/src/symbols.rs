@@ -4,8 +4,8 @@ use super::fault::Fault;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use texmath::{
-    At, Equation, Map, Meaning, Name, Names, Opaque, Relation, Symbols, Tree, index_of, read, read_expression,
-    speaks_of,
+    At, DoubtKind, Equation, Map, Meaning, Name, Names, Opaque, Relation, Symbols, Tree, index_of, read,
+    read_expression, speaks_of,
 };
 
 /// `[symbols]` as it stands in the file.
@@ -286,8 +286,12 @@ impl RawSymbols {
             let text = text.trim();
             (text.len() == 1).then(|| text.to_owned())
         };
+        let letters = match &self.opaque {
+            Some(opaque) => opaque.letters.clone(),
+            None => texts.iter().filter_map(letter).collect(),
+        };
         Ok(Names {
-            letters: texts.iter().filter_map(letter).collect(),
+            letters,
             words,
             opaque: self.opaque.clone().map(Opaque::from),
             ..Names::default()
@@ -382,6 +386,10 @@ fn expression(tex: &str, symbols: &Symbols) -> Result<Tree, Fault> {
 
 fn equations(tex: &str, symbols: &Symbols) -> Result<Vec<Equation>, Fault> {
     let equations = read(tex, &symbols.names).map_err(|error| Fault::new(format!("`{tex}`: {error}")))?;
+    let mut doubts = equations.iter().flat_map(|equation| &equation.doubts.0);
+    if let Some(doubt) = doubts.find(|doubt| matches!(doubt.kind, DoubtKind::Extent { is_usual: false, .. })) {
+        return Err(Fault::new(format!("`{tex}`: {}", doubt.kind)));
+    }
     match equations.iter().all(|equation| equation.relation == Relation::Equal) {
         true => Ok(equations),
         false => Err(Fault::new(format!("`{tex}`: an equation must stand here"))),
@@ -396,6 +404,8 @@ pub struct RawOpaque {
     pub functions: BTreeSet<String>,
     pub values: BTreeSet<String>,
     pub transposes: bool,
+    /// The letters that the document itself declares: `d` is a differential beside a guessed letter `d`.
+    pub letters: Vec<String>,
 }
 
 impl From<RawOpaque> for Opaque {

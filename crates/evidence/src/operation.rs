@@ -95,6 +95,7 @@ impl Compiler<'_> {
             // a number is its own transpose
             Operation::Transpose(of) => self.tree(of),
             Operation::Matrix(_) => refused("a matrix stands where a number must"),
+            Operation::Arguments(_) => refused("a function of several arguments without a definition"),
             Operation::Integral { of, by, limits: None } if self.is_up_to => {
                 let (letter, body) = self.with_letter(by, false, |own| own.tree(of))?;
                 let low = self.formulas.float(super::claimed::ANYWHERE);

@@ -22,6 +22,8 @@ pub struct Decision {
     pub provided: Vec<String>,
     /// The rules by which the claim was reduced to the goals that were decided.
     pub rules: Rules,
+    /// What was taken wherever its notation, or that of what it rests on, has more than one meaning.
+    pub readings: Vec<String>,
     /// The equation that was not proved, of the several that a label may have.
     pub failed: Option<Equation>,
     /// The file that the formula stands in, where it is one that the document includes.
@@ -117,6 +119,7 @@ impl Decision {
             reason: String::new(),
             provided: Vec::new(),
             rules: Rules::new(),
+            readings: Vec::new(),
             failed: None,
             file: entry.and_then(|entry| entry.tex.file.clone()),
             doubts: Vec::new(),

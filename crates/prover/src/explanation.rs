@@ -81,6 +81,9 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
         "({}) {}: {}",
         decision.label, decision.verdict, decision.reason
     )];
+    if !decision.readings.is_empty() {
+        lines.push(format!("read as: {}", decision.readings.join("; ")));
+    }
     let reductions = decision.reductions();
     if !reductions.is_empty() {
         lines.push(format!("reduced by rules that are trusted: {reductions}"));

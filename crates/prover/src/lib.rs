@@ -202,6 +202,7 @@ impl<'a> Search<'a> {
     /// Decides a claim, and in its other readings too, where these are known: what is so in all of them stands.
     fn decide_readings(&mut self, sheet: &Sheet, position: usize) -> Decision {
         let mut doubts = sheet.doubts(position);
+        self.start.readings = doubts.iter().filter_map(DoubtKind::taken).collect();
         // what holds of letters that need not commute holds of numbers too
         let is_marked = |kind: &DoubtKind| matches!(kind, DoubtKind::Marked(_));
         let of_all = match doubts.iter().any(is_marked) {

@@ -2,15 +2,15 @@
 //!
 //! It is one symbol, number, fraction, root or absolute value, one function of such an argument, or a run of a number
 //! and symbols that ends in its variable. It ends before a sign, a relation, a closing bracket, `\cdot` and the next
-//! function. Whatever else follows may print as more of it, and is refused with both readings.
+//! function. Whatever else follows may print as more of it: it is taken as a factor or divisor, and both readings are kept.
 
-use super::command::ABSOLUTE;
 use super::elementary::Elementary;
 use super::error::Fault;
-use super::part::{Form, Part, starts_factor};
-use super::reader::{Reader, product};
+use super::extent::{Belongs, last_call};
+use super::part::{Form, Part, product, starts_factor};
+use super::reader::Reader;
 use super::token::{Kind, Token};
-use super::{At, Name, Operation, Tree};
+use super::{Name, Operation, Tree};
 
 /// Letters that commonly are the factor of a variable, as in `\cos\omega t`. Any other may be the whole argument: in
 /// `v_0\cos\alpha t` and `\sin\theta F` it is.
@@ -26,12 +26,8 @@ const CONSTANTS: &[&str] = &["a", "b", "c"];
 const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi", "\\psi"];
 
 impl<'a> Reader<'a> {
-    /// The argument without brackets of `function`, whose value there is `value`.
-    pub(super) fn bare_argument(
-        &mut self,
-        function: &Elementary,
-        value: &dyn Fn(Box<Tree>) -> Box<Tree>,
-    ) -> Result<Box<Tree>, Fault> {
+    /// The argument without brackets of `function`.
+    pub(super) fn bare_argument(&mut self, function: &Elementary) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
         let (at, start) = (self.here(), self.next);
         let token = match self.peek() {
@@ -49,7 +45,7 @@ impl<'a> Reader<'a> {
                 return Err(Fault::ambiguous(at, "an argument without brackets", instead));
             }
         };
-        while let Some((next, token)) = self.more_of_argument()? {
+        while let Some(More { mark, next, token }) = self.more_of_argument()? {
             let is_symbol = matches!(token.kind, Kind::Letter | Kind::Word) && !token.spaced;
             let is_one = |before: &Tree| self.goes_on(before, &next);
             // braces do not print, but tell where the author ends the argument
@@ -58,7 +54,8 @@ impl<'a> Reader<'a> {
                 .get(start)
                 .is_some_and(|first| first.kind == Kind::BraceOpen);
             if ended || !is_symbol || !factors.last().is_some_and(is_one) {
-                return Err(two_arguments(&value(product(factors)), &next, token));
+                self.argument_ends_at(mark);
+                break;
             }
             factors.push(next);
         }
@@ -66,20 +63,24 @@ impl<'a> Reader<'a> {
         Ok(product(factors))
     }
 
-    /// Refuses what would print as more of the argument that `tree` ends in, which has no brackets.
-    pub(super) fn argument_ends(&mut self, tree: &Tree) -> Result<(), Fault> {
-        match self.more_of_argument()? {
-            Some((next, token)) => Err(two_arguments(tree, &next, token)),
-            None => Ok(()),
+    /// Notes what would print as more of the argument without brackets that ends here.
+    pub(super) fn argument_ends(&mut self) -> Result<(), Fault> {
+        if let Some(More { mark, .. }) = self.more_of_argument()? {
+            self.argument_ends_at(mark);
         }
+        Ok(())
     }
 
-    /// Refuses a factor, begun by `token` or by the sign of a product before it, that may belong to the argument in which
+    /// Goes back to the end of an argument without brackets, behind which something stands that may belong to it.
+    fn argument_ends_at(&mut self, mark: (usize, usize)) {
+        self.reset(mark);
+        self.argument_ends.insert(self.next);
+    }
+
+    /// Returns whether a factor, begun by `token` or by the sign of a product before it, may belong to the argument in which
     /// `before` ends: `\cos\frac{\pi}{2} \cos\theta`, `\ln 2 \cos x`, `\sin 2 \cdot x`, and `\sin(n + 1) x`.
-    pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Token<'_>) -> Result<(), Fault> {
-        let Some((before, (function, argument))) = before.and_then(|tree| Some((tree, last_call(tree)?))) else {
-            return Ok(());
-        };
+    pub(super) fn may_belong(before: Option<&Tree>, form: Form, next: &Tree, token: Token<'_>) -> Option<Belongs> {
+        let (before, (function, argument)) = before.and_then(|tree| Some((tree, last_call(tree)?)))?;
         let dotted = matches!(token.kind, Kind::Times | Kind::Star);
         let calls = last_call(next).is_some();
         let unclear = match form {
@@ -97,16 +98,19 @@ impl<'a> Reader<'a> {
             }
             _ => !dotted && !token.spaced && may_scale(before, next),
         };
-        match unclear {
-            true => Err(two_arguments(before, next, token)),
-            false => Ok(()),
-        }
+        // \sin x \cos y is a product
+        let is_usual = form == Form::Bare && calls && !dotted;
+        unclear.then_some(Belongs { is_usual })
     }
 
-    /// The factor or divisor that follows an argument without brackets, and the token that it begins with; a function
-    /// does not.
-    fn more_of_argument(&mut self) -> Result<Option<(Tree, Token<'a>)>, Fault> {
+    /// The factor or divisor that follows an argument without brackets; a function does not follow, nor what is known not to belong to
+    /// it for sure.
+    fn more_of_argument(&mut self) -> Result<Option<More<'a>>, Fault> {
         self.skip_empty();
+        if self.argument_ends.contains(&self.next) {
+            return Ok(None);
+        }
+        let mark = self.mark();
         let Some(token) = self.peek().filter(|_| self.differential_ahead().is_none()) else {
             return Ok(None);
         };
@@ -116,7 +120,8 @@ impl<'a> Reader<'a> {
             _ => return Ok(None),
         }
         let Part { tree, .. } = self.factor()?;
-        Ok(Some((*tree, token)))
+        let next = *tree;
+        Ok(Some(More { mark, next, token }))
     }
 
     /// Whether an elementary function begins with this token.
@@ -193,56 +198,13 @@ fn symbol_of(tree: &Tree) -> Option<&Name> {
     }
 }
 
-/// The elementary function in whose value a tree ends, and its argument; the bars of an absolute value end it.
-fn last_call(tree: &Tree) -> Option<(&Name, &Tree)> {
-    match tree {
-        Tree::Call(name, argument, _) => {
-            let is_open = name.base != ABSOLUTE && Elementary::by_command(&name.base).is_some();
-            is_open.then_some((name, &**argument))
-        }
-        Tree::Power(base, ..) | Tree::RealPower(base, ..) => last_call(base),
-        // a logarithm with a base
-        Tree::Quotient(above, ..) => last_call(above),
-        Tree::Product(factors) => factors.last().and_then(last_call),
-        _ => None,
-    }
-}
-
-/// `tree` with the argument that it ends in replaced.
-fn with_last_argument(tree: &Tree, new: &dyn Fn(&Tree) -> Tree) -> Tree {
-    let again = |tree: &Tree| Box::new(with_last_argument(tree, new));
-    match tree {
-        Tree::Call(name, argument, at) => Tree::Call(name.clone(), Box::new(new(argument)), *at),
-        Tree::Power(base, exponent, at) => Tree::Power(again(base), *exponent, *at),
-        Tree::RealPower(base, exponent, at) => Tree::RealPower(again(base), exponent.clone(), *at),
-        Tree::Quotient(above, below, at) => Tree::Quotient(again(above), below.clone(), *at),
-        Tree::Product(factors) => match factors.split_last() {
-            Some((last, rest)) => {
-                let last = with_last_argument(last, new);
-                Tree::Product(rest.iter().cloned().chain([last]).collect())
-            }
-            None => tree.clone(),
-        },
-        _ => tree.clone(),
-    }
-}
-
-/// The fault of a factor or divisor, begun by `token`, behind an argument without brackets, in which `tree` ends.
-#[inline(never)]
-fn two_arguments(tree: &Tree, next: &Tree, token: Token<'_>) -> Fault {
-    let join = |before: &Tree| match token.kind {
-        Kind::Slash => Tree::Quotient(Box::new(before.clone()), Box::new(next.clone()), At(token.at)),
-        _ => {
-            let factors = match before {
-                Tree::Product(factors) => factors.clone(),
-                before => vec![before.clone()],
-            };
-            Tree::Product(factors.into_iter().chain([next.clone()]).collect())
-        }
-    };
-    let [outside, inside] = [join(tree), with_last_argument(tree, &join)];
-    let found = "what follows an argument without brackets";
-    Fault::two_readings(token.at, found, &outside.to_string(), &inside.to_string())
+/// A factor or divisor behind an argument without brackets.
+struct More<'a> {
+    /// The place before it.
+    mark: (usize, usize),
+    next: Tree,
+    /// The token that it begins with.
+    token: Token<'a>,
 }
 
 /// Whether `next` right behind the function's value `before` may belong to its argument, as in `\sin(n + 1) x`: a
@@ -299,7 +261,8 @@ fn all_symbols(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::spelled::{check, refuse};
+    use super::super::read_display;
+    use super::super::spelled::{check, names, refuse};
 
     #[test]
     fn one_symbol_number_or_fraction() {
@@ -398,17 +361,14 @@ mod tests {
             (r"\sin(x + y) z", r"(* <\sin (+ x y)> z)"),
             (r"\sin(n + 1)\,x", r"(* <\sin (+ n 1)> x)"),
             (r"\sin(n + 1) \cdot x", r"(* <\sin (+ n 1)> x)"),
+            (r"\cos\frac{\pi}{2} \cos\theta", r"(* <\cos (/ \pi 2)> <\cos \theta>)"),
+            (r"\ln 2 \cos x", r"(* <\ln 2> <\cos x>)"),
+            (r"\ln\cos x \sin y", r"(* <\ln <\cos x>> <\sin y>)"),
+            (r"\exp x \cos y", r"(* <\exp x> <\cos y>)"),
         ]);
         refuse(&[
-            (
-                r"\cos\frac{\pi}{2} \cos\theta",
-                r"or as \cos(\frac{\pi}{2} \cos(\theta))",
-            ),
-            (r"\ln 2 \cos x", r"\ln(2) \cos(x) or as \ln(2 \cos(x))"),
             (r"\ln a b \cos x", r"or as \ln("),
-            (r"\ln\cos x \sin y", r"or as \ln("),
-            (r"\exp x \cos y", r"or as \exp(x \cos(y))"),
-            (r"\sin 2 \cdot 3 x", r"\sin(2) \cdot 3 or as \sin(2 \cdot 3)"),
+            (r"\sin 2 \cdot 3 x", r"\sin(2) \cdot 3 x or as \sin(2 \cdot 3) x"),
             (r"\ln 2a \cdot b", r"or as \ln("),
             (r"\sin(n + \frac12)x", r"or as \sin((n + \frac{1}{2}) x)"),
             (r"\sin(2n + 1)\pi", r"or as \sin((2 n + 1) \pi)"),
@@ -418,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn what_may_be_more_of_the_argument_is_refused() {
+    fn what_may_be_more_of_the_argument_is_refused_where_one_reading_is_wanted() {
         refuse(&[
             (r"\sin x (a + b)", r"\sin(x) (a + b) or as \sin(x \cdot (a + b))"),
             (r"\cos\theta(x)", r"`\theta` before a single term in brackets"),
@@ -428,8 +388,8 @@ mod tests {
             (r"\sin x y", r"\sin(x) y or as \sin(x y)"),
             (r"\sin\omega\, t", r"\sin(\omega) t or as \sin(\omega t)"),
             (r"\cos\theta F", r"\cos(\theta) F or as \cos(\theta F)"),
-            (r"v_0\cos\alpha t", r"\cos(\alpha) t or as \cos(\alpha t)"),
-            (r"\cos\beta l \cosh\beta l", r"\cos(\beta) l or as \cos(\beta l)"),
+            (r"v_0\cos\alpha t", r"v_0 \cos(\alpha) t or as v_0 \cos(\alpha t)"),
+            (r"\cos\beta l \cosh\beta l", r"\cos(\beta) l \cosh(\beta) l or as"),
             (r"\sin eta x", r"\sin(eta) x or as"),
             (r"\cos\omega t F", r"\cos(\omega t) F or as"),
             (r"\cos 2\theta\dot\theta", r"\cos(2 \theta) \dot{\theta} or as"),
@@ -464,6 +424,36 @@ mod tests {
             (r"\cos", "the argument of the function"),
             (r"\cos -x", "the argument of the function"),
         ]);
+    }
+
+    #[test]
+    fn what_follows_an_argument_or_a_divisor_has_each_reading_once() {
+        for (tex, wanted) in [
+            (r"\sin x y", r"\sin(x) y: \sin(x y)"),
+            (r"\exp x \exp y", r"\exp(x) \exp(y): \exp(x \exp(y))"),
+            (r"a/b x y", r"\frac{a}{b} x y: \frac{a}{b x} y; \frac{a}{b x y}"),
+            (r"\sin x/2", r"\frac{\sin(x)}{2}: \sin(\frac{x}{2})"),
+            (
+                r"\cos x y/2",
+                r"\frac{\cos(x) y}{2}: \frac{\cos(x y)}{2}; \cos(\frac{x y}{2})",
+            ),
+            (
+                r"\sin x y \cos u v",
+                r"\sin(x) y \cos(u) v: \sin(x) y \cos(u v); \sin(x y) \cos(u) v; \sin(x y \cos(u) v); \sin(x y) \cos(u v); \sin(x y \cos(u v))",
+            ),
+            (r"\sin x \cos y", ""),
+            (r"1/(2 x) y + \sin(x) y/2", r"\frac{1}{2 x} y: \frac{1}{2 x y}"),
+        ] {
+            let display = read_display(&format!("{tex} = 0"), &names()).unwrap();
+            let doubts = display.equations.iter().flat_map(|equation| &equation.doubts.0);
+            let shown = doubts.map(|doubt| {
+                let readings = doubt.kind.readings();
+                let others: Vec<String> = readings.iter().map(|reading| reading.other.to_string()).collect();
+                let taken = readings.first().map(|reading| reading.taken.to_string());
+                format!("{}: {}", taken.unwrap_or_default(), others.join("; "))
+            });
+            assert_eq!(shown.collect::<Vec<_>>().join(" and "), wanted, "{tex}");
+        }
     }
 
     #[test]

@@ -186,7 +186,7 @@ impl<'a> Reader<'a> {
             (tree, Form::Open) => self.carried(tree, Form::Braced),
             (tree, _) if ends_in_number => self.carried(tree, Form::Braced),
             (tree, Form::Bare) => {
-                self.argument_ends(&tree)?;
+                self.argument_ends()?;
                 self.carried(tree, Form::Bare)
             }
             (tree, form) => self.carried(tree, form),

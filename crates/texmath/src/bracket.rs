@@ -4,7 +4,7 @@ use super::command::ABSOLUTE;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Token};
-use super::{At, Name, Tree};
+use super::{At, Name, Operation, Tree};
 
 impl<'a> Reader<'a> {
     /// The content of the visible bracket that stands next, and its place.
@@ -14,6 +14,25 @@ impl<'a> Reader<'a> {
         };
         let tree = self.sum()?;
         self.close(open, kind).map(|()| tree)
+    }
+
+    /// Reads what stands in brackets behind the name of a function: one formula, or several with commas between.
+    pub(super) fn arguments(&mut self) -> Result<Box<Tree>, Fault> {
+        let Some((open, kind)) = self.open() else {
+            return Err(self.instead_of("a bracket"));
+        };
+        let first = self.sum()?;
+        let mut several = vec![*first];
+        self.skip_empty();
+        while self.take(Kind::Comma).is_some() {
+            several.push(*self.sum()?);
+            self.skip_empty();
+        }
+        self.close(open, kind)?;
+        Ok(Box::new(match several.len() {
+            1 => several.remove(0),
+            _ => Tree::Operation(Box::new(Operation::Arguments(several)), At(open.at)),
+        }))
     }
 
     /// The absolute value, or the Euclidean norm, whose opening bar stands next.

@@ -28,7 +28,9 @@ pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadE
 pub(super) fn conditions_of(statements: Vec<Statement<'_>>, names: &Names) -> Result<Vec<Condition>, Fault> {
     let (mut conditions, mut listed) = (Vec::new(), Listed::default());
     for statement in statements {
-        Reader::new(statement.tokens, names).condition(&mut listed, &mut conditions)?;
+        let mut reader = Reader::new(statement.tokens, names);
+        reader.condition(&mut listed, &mut conditions)?;
+        reader.has_one_extent()?;
     }
     match listed.first {
         Some(at) => Err(Fault::new(at, Reason::NoCondition)),

@@ -60,7 +60,8 @@ pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
         let plain = Plain::of(tex, names);
         let mut reader = single(&plain, names)?;
         let tree = reader.sum()?;
-        reader.finish("the end of the expression").map(|()| *tree)
+        reader.finish("the end of the expression")?;
+        reader.has_one_extent().map(|()| *tree)
     };
     let hidden = || Some(Tree::Symbol(hidden::name(tex, names)?, At(0)));
     read().or_else(|fault| hidden().ok_or_else(|| fault.located(tex)))
@@ -77,18 +78,23 @@ pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
     read().map_err(|fault| fault.located(tex))
 }
 
-/// The functions that a display gives by equations `f(x) = ...`, each with its argument.
-pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
+/// The functions that a display gives by equations `f(x) = ...`, `g(x, y) = ...`, each with its arguments.
+pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Vec<Name>)> {
     let plain = Plain::of(tex, names);
     let statements = divided(&plain.text, &plain).unwrap_or_default();
     let given = |statement: Statement<'_>| {
         let mut reader = Reader::new(statement.tokens, names);
         let name = reader.full_name().ok()?;
         let (open, kind) = reader.open().filter(|(_, kind)| *kind == Bracket::Round)?;
-        let argument = reader.full_name().ok()?;
+        let mut arguments = vec![reader.full_name().ok()?];
+        reader.skip_empty();
+        while reader.take(Kind::Comma).is_some() {
+            arguments.push(reader.full_name().ok()?);
+            reader.skip_empty();
+        }
         reader.close(open, kind).ok()?;
         reader.skip_empty();
-        (reader.peek_kind() == Some(Kind::Relation(Relation::Equal))).then_some((name, argument))
+        (reader.peek_kind() == Some(Kind::Relation(Relation::Equal))).then_some((name, arguments))
     };
     statements.into_iter().filter_map(given).collect()
 }

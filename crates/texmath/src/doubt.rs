@@ -15,8 +15,12 @@ pub struct Doubt {
 /// The meanings that a place may have.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DoubtKind {
-    /// `V(x^2)`, taken as a product.
-    Argument { of: Name, inside: Tree },
+    /// `V(x^2)`, taken as the value of `V` there; where no reading is listed, as a product.
+    Argument {
+        of: Name,
+        inside: Tree,
+        readings: Vec<OtherReading>,
+    },
     /// `\frac{d}{dx}[F]_{x=a}`, taken as the derivative at that point; where no reading is listed, as that of the value.
     DerivativeOfValue { of: Tree, readings: Vec<OtherReading> },
     /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as the derivative at that point; where no reading is listed, as a product.
@@ -25,6 +29,14 @@ pub enum DoubtKind {
         inside: Tree,
         readings: Vec<OtherReading>,
     },
+    /// `\exp x \exp y`, `\sin x y`, `a/b c`, taken as a product: what follows may belong to the argument or the divisor.
+    Extent {
+        readings: Vec<OtherReading>,
+        /// Whether all authors that write so mean the product.
+        is_usual: bool,
+    },
+    /// `\frac{df}{dx}` of a function of several arguments, taken with the others held fixed.
+    Held { of: Name, by: Name },
     /// `\sum_k F + G`, `\frac{d}{dx} F + G`, taken as one that ends at the sign.
     Reach { letter: Name, readings: Vec<OtherReading> },
     /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
@@ -64,7 +76,9 @@ impl DoubtKind {
     /// The other readings of the place; none where not all are known.
     pub fn readings(&self) -> &[OtherReading] {
         match self {
-            Self::Reach { readings, .. }
+            Self::Argument { readings, .. }
+            | Self::Extent { readings, .. }
+            | Self::Reach { readings, .. }
             | Self::Nesting { readings, .. }
             | Self::PowerOfFunction { readings, .. }
             | Self::DerivativeOfValue { readings, .. }
@@ -78,79 +92,144 @@ impl DoubtKind {
     pub fn spares_proofs(&self) -> bool {
         match self {
             // for a product of one factor nobody writes brackets
-            Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
+            Self::Argument { inside, readings, .. } => !readings.is_empty() || matches!(inside, Tree::Sum(_)),
             Self::DerivativeOfValue { readings, .. } | Self::DerivativeBeforeBracket { readings, .. } => {
                 !readings.is_empty()
             }
-            Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) | Self::Marked(_) => false,
+            Self::Extent { is_usual, .. } => *is_usual,
+            Self::Held { .. } | Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) | Self::Marked(_) => {
+                false
+            }
             _ => true,
         }
     }
 }
 
+/// What a place of a formula may mean: that which is taken first, and another.
+struct Choice {
+    place: String,
+    meanings: [String; 2],
+}
+
+impl Choice {
+    fn of(place: String, taken: &str, other: &str) -> Self {
+        let meanings = [taken, other].map(str::to_owned);
+        Self { place, meanings }
+    }
+
+    /// The choice where the second meaning is taken, if it is.
+    fn swapped_if(mut self, is_second: bool) -> Self {
+        if is_second {
+            self.meanings.reverse();
+        }
+        self
+    }
+}
+
+impl DoubtKind {
+    /// The meanings of the place; none of what is said of the document alone.
+    fn choice(&self) -> Option<Choice> {
+        let choice = match self {
+            Self::Argument { of, inside, readings } => {
+                let meanings = [
+                    format!("the value of `{of}` at `{inside}`"),
+                    format!("`{of}` times `{inside}`"),
+                ];
+                let place = format!("`{of}({inside})`");
+                Choice { place, meanings }.swapped_if(readings.is_empty())
+            }
+            Self::DerivativeOfValue { of, readings } => {
+                let place = format!("the derivative of `{of}`");
+                Choice::of(place, "taken at that point", "of the value there").swapped_if(readings.is_empty())
+            }
+            Self::DerivativeBeforeBracket { of, inside, readings } => {
+                let place = format!("`({inside})` behind `{of}`");
+                Choice::of(place, "where the derivative is taken", "a factor").swapped_if(readings.is_empty())
+            }
+            Self::Extent { readings, .. } => {
+                let [OtherReading { taken, other }, ..] = readings.as_slice() else {
+                    return None;
+                };
+                let meanings = [taken, other].map(|tree| format!("`{tree}`"));
+                let place = "what follows an argument or a divisor".to_owned();
+                Choice { place, meanings }
+            }
+            Self::Held { of, by } => Choice {
+                place: format!("the derivative of `{of}` by `{by}`"),
+                meanings: [
+                    "the other arguments held fixed".to_owned(),
+                    format!("depending on `{by}`"),
+                ],
+            },
+            Self::Reach { letter, .. } => Choice::of(
+                format!("the sum, product, limit or derivative over `{letter}`"),
+                "up to the next sign",
+                "to the end",
+            ),
+            Self::Nesting { inner, .. } => Choice::of(
+                format!("the integral over `{inner}`"),
+                "with the limits of the inner sign",
+                "of the outer",
+            ),
+            Self::Difference { upper } => {
+                Choice::of(format!("`{upper}` behind the bracket"), "the upper limit", "a power")
+            }
+            Self::PowerOfFunction { of, .. } => Choice {
+                place: format!("the power of `{of}` before its argument"),
+                meanings: ["of the value".to_owned(), format!("`{of}` applied again")],
+            },
+            Self::OddRoot { power } => Choice::of(
+                format!("`{power}`"),
+                "of numbers that are not negative alone",
+                "of all real ones",
+            ),
+            Self::PowerOfSign { base, exponent } => Choice {
+                place: format!("`{base}` to the power `{exponent}`"),
+                meanings: [
+                    format!("where `{base}` is not negative"),
+                    format!("where `{exponent}` is an integer too"),
+                ],
+            },
+            Self::OfSome(name) => Choice::of(format!("`{name}`"), "every value", "some value"),
+            Self::OneStep { index } => Choice {
+                place: format!("the premises that take one `{index}` to the next"),
+                meanings: [format!("for this `{index}` alone"), "for each".to_owned()],
+            },
+            Self::Tends(name) => Choice {
+                place: format!("`{name}` tends to a value"),
+                meanings: [format!("for every `{name}`"), "near that value".to_owned()],
+            },
+            Self::Factor { .. } | Self::Guess(_) | Self::Open(_) | Self::Marked(_) => return None,
+        };
+        Some(choice)
+    }
+
+    /// What was taken where the notation has another meaning too, as the column `reading` says it.
+    pub fn taken(&self) -> Option<String> {
+        let Choice {
+            place,
+            meanings: [taken, _],
+        } = self.choice()?;
+        Some(format!("{place}: {taken}"))
+    }
+}
+
 impl fmt::Display for DoubtKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Argument { of, inside } => {
-                write!(
-                    f,
-                    "`{of}({inside})`: the value of `{of}` at `{inside}`, or `{of}` times `{inside}`?"
-                )
-            }
-            Self::DerivativeOfValue { of, .. } => {
-                write!(
-                    f,
-                    "the derivative of `{of}`: taken at that point, or of the value there?"
-                )
-            }
-            Self::DerivativeBeforeBracket { of, inside, .. } => {
-                write!(
-                    f,
-                    "`({inside})` behind `{of}`: where the derivative is taken, or a factor?"
-                )
-            }
-            Self::Reach { letter, .. } => {
-                write!(
-                    f,
-                    "the sum, product, limit or derivative over `{letter}`: up to the next sign, or to the end?"
-                )
-            }
-            Self::Nesting { inner, .. } => {
-                write!(
-                    f,
-                    "the integral over `{inner}`: with the limits of the inner sign, or of the outer?"
-                )
-            }
-            Self::Difference { upper } => {
-                write!(f, "`{upper}` behind the bracket: the upper limit, or a power?")
-            }
-            Self::PowerOfFunction { of, .. } => {
-                write!(
-                    f,
-                    "the power of `{of}` before its argument: of the value, or `{of}` applied again?"
-                )
-            }
-            Self::OddRoot { power } => write!(
-                f,
-                "`{power}`: of numbers that are not negative alone, or of all real ones?"
-            ),
-            Self::PowerOfSign { base, exponent } => write!(
-                f,
-                "`{base}` to the power `{exponent}`: where `{base}` is not negative, or where `{exponent}` is an integer too?"
-            ),
-            Self::OfSome(name) => write!(f, "`{name}`: every value, or some value?"),
-            Self::OneStep { index } => {
-                write!(
-                    f,
-                    "the premises that take one `{index}` to the next: for this `{index}` alone, or for each?"
-                )
-            }
-            Self::Tends(name) => write!(f, "`{name}` tends to a value: for every `{name}`, or near that value?"),
-            Self::Factor { factor, premise } => write!(
+        match (self.choice(), self) {
+            (
+                Some(Choice {
+                    place,
+                    meanings: [taken, other],
+                }),
+                _,
+            ) => write!(f, "{place}: {taken}, or {other}?"),
+            (None, Self::Factor { factor, premise }) => write!(
                 f,
                 "({premise}) can be solved where `{factor}` is not 0: 0 too, or divided by?"
             ),
-            Self::Guess(what) | Self::Open(what) | Self::Marked(what) => write!(f, "{what}"),
+            (None, Self::Guess(what) | Self::Open(what) | Self::Marked(what)) => write!(f, "{what}"),
+            (None, _) => Ok(()),
         }
     }
 }

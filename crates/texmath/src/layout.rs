@@ -603,7 +603,9 @@ impl<'a> Writer<'a, '_> {
                 .slice(start, close)
                 .trim_end_matches([' ', '\\'])
                 .trim_end_matches(r"\right");
-            let has_several = has_at_top(inside, &[",", ";", "|", r"\mid", r"\vert"]);
+            let is_given = self.is_given(self.slice(at, self.scripts_end(name_end, self.source.len(), false)));
+            let has_several = has_at_top(inside, &[";", "|", r"\mid", r"\vert"])
+                || (has_at_top(inside, &[","]) && (!is_given || inside.contains("dots") || inside.contains("...")));
             let is_relation = has_at_top(inside, &["=", "<", ">"]);
             let is_called = has_several || (self.may_be_function(at, name_end, inside) && self.byte(open) == b'(');
             return ((is_operator || is_called) && !is_relation && !inside.trim().is_empty()).then_some(close + 1);
@@ -642,6 +644,14 @@ impl<'a> Writer<'a, '_> {
         }
     }
 
+    /// Returns true for the name of a function that a definition gives, perhaps with primes.
+    fn is_given(&self, name: &str) -> bool {
+        let whole = bare(name);
+        let is_one = |known: &String| bare(known) == whole.trim_end_matches('\'');
+        let opaque = self.names.opaque.as_ref();
+        opaque.is_some_and(|opaque| opaque.functions.iter().any(is_one))
+    }
+
     /// Returns true if a letter before a bracket may be a function: one that mostly is, or before a single term, which a factor
     /// would need no bracket for.
     fn may_be_function(&self, at: usize, name_end: usize, inside: &str) -> bool {
@@ -651,10 +661,8 @@ impl<'a> Writer<'a, '_> {
             .and_then(|name| name.rsplit('{').next())
             .unwrap_or(name);
         let declared = self.names.functions.iter().any(|known| known.base == letter);
-        let whole = bare(self.slice(at, self.scripts_end(name_end, self.source.len(), false)));
         let opaque = self.names.opaque.as_ref();
-        let is_given = |known: &String| bare(known) == whole.trim_end_matches('\'');
-        if opaque.is_some_and(|opaque| opaque.functions.iter().any(is_given)) {
+        if self.is_given(self.slice(at, self.scripts_end(name_end, self.source.len(), false))) {
             return false;
         }
         let is_word = letter.len() > 1 && letter.bytes().all(|byte| byte.is_ascii_alphabetic());

@@ -53,6 +53,7 @@ mod elementary;
 mod error;
 mod evaluate;
 mod exponent;
+mod extent;
 mod extremum;
 mod factorial;
 mod hidden;

@@ -527,6 +527,13 @@ impl Writer<'_> {
                 vec![fenced("(", vec![element("mtable", rows).into()], ")")]
             }
             Operation::Determinant(of) => function("det", of),
+            Operation::Arguments(parts) => {
+                let parts = parts.iter().enumerate();
+                row(parts.flat_map(|(number, part)| {
+                    let comma = (number > 0).then(|| vec![infix(",")]);
+                    comma.into_iter().chain([self.sum(part)])
+                }))
+            }
             Operation::Trace(of) => function("tr", of),
             Operation::Order(of) => function("O", of),
             Operation::Transpose(of) => {
@@ -773,6 +780,10 @@ mod tests {
         let x = || Tree::Symbol(super::super::read_name("x", &names()).unwrap(), At(0));
         let y = super::super::read_name("y", &names()).unwrap();
         for (operation, wanted) in [
+            (
+                Operation::Arguments(vec![x(), Tree::Symbol(y.clone(), At(0))]),
+                "<mi>x</mi><mo>,</mo><mi>y</mi>",
+            ),
             (Operation::Trace(x()), "<mi>tr</mi>"),
             (Operation::Order(x()), "<mi>O</mi>"),
             (Operation::Transpose(x()), "<msup><mi>x</mi><mi>⊤</mi></msup>"),

@@ -1,5 +1,6 @@
 //! What a reader must be told of a formula's vocabulary.
 
+use super::nodes::any;
 use super::{Name, Tree};
 use std::collections::BTreeSet;
 
@@ -12,6 +13,8 @@ pub struct Names {
     /// Names of functions that a definition gives, with their dots where they are of time: a bracket turns these into a
     /// call too.
     pub defined: Vec<Name>,
+    /// Those of them that have several arguments.
+    pub several: Vec<Name>,
     /// Names of several letters that are one symbol where the letters stand in a run: `eta`.
     pub words: Vec<String>,
     /// Matrices whose trace and determinant may be written: `DP`.
@@ -46,9 +49,26 @@ pub const BOLD: [&str; 3] = [r"\mathbf", r"\bm", r"\boldsymbol"];
 impl Names {
     /// Whether `name`, whatever its mark and primes, was declared a function.
     pub fn is_function(&self, name: &Name) -> bool {
-        self.functions.iter().chain(&self.defined).any(|function| {
-            function.base == name.base && function.accents == name.accents && function.subscript == name.subscript
-        })
+        self.is_defined(name) || self.functions.iter().any(|function| is_same_function(function, name))
+    }
+
+    /// Returns true if a definition gives a function of this name, whatever its mark and primes.
+    pub fn is_defined(&self, name: &Name) -> bool {
+        self.defined.iter().any(|function| is_same_function(function, name))
+    }
+
+    /// Returns the first function of several arguments in a tree.
+    pub(super) fn several_in(&self, tree: &Tree) -> Option<Name> {
+        let mut found = None;
+        any(tree, &mut |node| {
+            if let Tree::Symbol(name, _) | Tree::Call(name, ..) | Tree::Partial { of: name, .. } = node
+                && self.several.iter().any(|own| is_same_function(own, name))
+            {
+                found = Some(name.clone());
+            }
+            found.is_some()
+        });
+        found
     }
 
     /// Returns true if a function stands without an argument in sums, products and quotients of a tree.
@@ -85,6 +105,10 @@ impl Names {
             .filter(|word| !word.is_empty() && run.starts_with(word.as_str()));
         fits.max_by_key(|word| word.len()).map(String::as_str)
     }
+}
+
+fn is_same_function(one: &Name, other: &Name) -> bool {
+    one.base == other.base && one.accents == other.accents && one.subscript == other.subscript
 }
 
 #[cfg(test)]

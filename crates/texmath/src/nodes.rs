@@ -47,6 +47,7 @@ pub fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
             Tree::Symbol(name, _) => {
                 names.insert(name.clone());
             }
+            Tree::Partial { of, by, .. } => names.extend([of.clone(), by.clone()]),
             Tree::Call(name, ..)
                 if !name.base.starts_with('\\') || !name.accents.is_empty() || is_letter(&name.base) =>
             {

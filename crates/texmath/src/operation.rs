@@ -3,7 +3,7 @@
 use super::error::Fault;
 use super::lexer::NO_BRACKET;
 use super::names::BOLD;
-use super::part::{Form, Part, starts_factor};
+use super::part::{DIFFERENTIAL, Form, Part, is_differential, starts_factor};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Rows, Token};
 use super::{
@@ -16,9 +16,6 @@ const LARGEST: usize = 16;
 
 /// The highest order of a derivative.
 const HIGHEST: u32 = 20;
-
-/// What stands for the differential of an integral while the integrand is read.
-const DIFFERENTIAL: &str = "\\differential";
 
 const WHAT_IS_DERIVED: &str = "write brackets around all that is differentiated";
 
@@ -657,6 +654,7 @@ impl<'a> Reader<'a> {
         }
         self.close_brace(above)?;
         let is_bracketed = matches!(self.peek_kind(), Some(Kind::Open(_)));
+        let is_total = !shape.is_partial;
         let is_operator = of.is_none() && !is_bracketed;
         let of = match of {
             Some(of) => of,
@@ -664,6 +662,10 @@ impl<'a> Reader<'a> {
         };
         let first = letters.first().filter(|_| is_operator);
         self.derivative = first.map(|(by, _)| (self.next, by.clone()));
+        if is_total && let Some(name) = self.names.several_in(&of) {
+            let by = letters.first().map_or_else(Name::default, |(by, _)| by.clone());
+            self.doubt(at, DoubtKind::Held { of: name, by });
+        }
         let is_doubtful = letters.iter().any(|(by, _)| self.may_be_taken_later(&of, by));
         let derived = |of: Tree, (by, order): (Name, u32)| {
             let value = Tree::Symbol(by.clone(), At(at));
@@ -886,12 +888,23 @@ impl<'a> Reader<'a> {
     /// Returns the value of a derivative at the point in brackets right behind it, `\frac{dV}{dx}(a)` or `(F)'(a)`; a sum or a
     /// power there is a factor.
     pub(super) fn value_behind(&mut self, before: Option<&Tree>, inside: &Part, at: usize) -> Option<Tree> {
-        let of = before?;
-        let by = match of {
-            Tree::Operation(operation, _) => match &**operation {
-                Operation::Derivative { by, order: 1.., .. } => by.clone(),
+        let (of, by) = match before? {
+            of @ Tree::Operation(operation, _) => match &**operation {
+                Operation::Derivative { by, order: 1.., .. } => (of.clone(), by.clone()),
                 _ => return None,
             },
+            Tree::Partial { of, by, at } if self.names.is_defined(of) => {
+                let [of, value] = [of, by].map(|name| Tree::Symbol(name.clone(), *at));
+                let (by, order) = (by.clone(), 1);
+                let at = *at;
+                let derivative = Operation::Derivative {
+                    of,
+                    by: by.clone(),
+                    order,
+                    at: value,
+                };
+                (Tree::Operation(Box::new(derivative), at), by)
+            }
             _ => return None,
         };
         if inside.form != Form::Bracketed
@@ -899,13 +912,13 @@ impl<'a> Reader<'a> {
         {
             return None;
         }
-        let taken = at_point(of, &by, (*inside.tree).clone(), at);
+        let taken = at_point(&of, &by, (*inside.tree).clone(), at);
         let kind = DoubtKind::DerivativeBeforeBracket {
             of: of.clone(),
             inside: (*inside.tree).clone(),
             readings: vec![OtherReading {
                 taken: taken.clone(),
-                other: Tree::Product(vec![of.clone(), (*inside.tree).clone()]),
+                other: Tree::Product(vec![of, (*inside.tree).clone()]),
             }],
         };
         self.doubt(at, kind);
@@ -1143,10 +1156,11 @@ fn is_vector(tree: &Tree) -> bool {
         Tree::Symbol(name, _) => {
             name.accents.iter().any(|accent| accent == "\\vec") || BOLD.iter().any(|bold| name.base.starts_with(bold))
         }
-        Tree::Operation(operation, _) => matches!(
-            **operation,
-            Operation::Matrix(_) | Operation::Cross(..) | Operation::Transpose(_)
-        ),
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Matrix(_) | Operation::Cross(..) => true,
+            Operation::Transpose(of) => !matches!(of, Tree::Number(_)),
+            _ => false,
+        },
         Tree::Negate(inner) => is_vector(inner),
         Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(is_vector),
         Tree::Quotient(above, ..) => is_vector(above),
@@ -1180,10 +1194,6 @@ fn without_differential(tree: Tree) -> Option<Tree> {
         }
         _ => None,
     }
-}
-
-fn is_differential(tree: &Tree) -> bool {
-    matches!(tree, Tree::Symbol(name, _) if *name == Name::plain(DIFFERENTIAL))
 }
 
 fn mentions(tree: &Tree, name: &Name) -> bool {

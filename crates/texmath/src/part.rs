@@ -1,8 +1,15 @@
 //! A piece of formula as it was written, and what may stand beside it.
 
-use super::Tree;
 use super::error::Fault;
 use super::token::{Kind, Token};
+use super::{Name, Tree};
+
+/// What stands for the differential of an integral while the integrand is read.
+pub(super) const DIFFERENTIAL: &str = "\\differential";
+
+pub(super) fn is_differential(tree: &Tree) -> bool {
+    matches!(tree, Tree::Symbol(name, _) if *name == Name::plain(DIFFERENTIAL))
+}
 
 /// How a piece of formula was written, as far as it bears on what may stand beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,4 +79,12 @@ pub(super) fn starts_factor(kind: Kind) -> bool {
             | Kind::Open(_)
             | Kind::BraceOpen
     )
+}
+
+/// The product of one factor or several.
+pub(super) fn product(mut factors: Vec<Tree>) -> Box<Tree> {
+    Box::new(match factors.len() {
+        1 => factors.remove(0),
+        _ => Tree::Product(factors),
+    })
 }

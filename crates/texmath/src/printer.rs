@@ -159,8 +159,19 @@ fn may_call(tree: &Tree) -> bool {
     }
 }
 
+/// Whether a script stands behind it without brackets.
+fn is_bare(tree: &Tree) -> bool {
+    match tree {
+        Tree::Symbol(name, _) => name.mark.is_empty() && name.primes == 0,
+        tree => matches!(tree, Tree::Number(_)),
+    }
+}
+
 pub(super) fn factor(tree: &Tree) -> String {
     match tree {
+        Tree::Operation(operation, _) if matches!(&**operation, Operation::Transpose(of) if is_bare(of)) => {
+            self::operation(operation)
+        }
         Tree::Number(value) => number(value),
         Tree::Symbol(name, _) => name.to_string(),
         Tree::Call(name, argument, _) if is_factorial(name) => factorial(name, argument),
@@ -191,9 +202,11 @@ fn operation(operation: &Operation) -> String {
             let rows: Vec<String> = rows.iter().map(row).collect();
             format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
         }
+        Operation::Arguments(parts) => parts.iter().map(sum).collect::<Vec<_>>().join(", "),
         Operation::Determinant(of) => format!("\\det({})", sum(of)),
         Operation::Trace(of) => format!("\\operatorname{{tr}}({})", sum(of)),
         Operation::Root { of, index } => format!("\\sqrt[{}]{{{}}}", sum(index), sum(of)),
+        Operation::Transpose(of) if is_bare(of) => format!("{}^{{\\top}}", factor(of)),
         Operation::Transpose(of) => format!("({})^{{\\top}}", sum(of)),
         Operation::Cross(left, right) => format!("{} \\times {}", factor(left), factor(right)),
         Operation::Binomial(of, chosen) => format!("\\binom{{{}}}{{{}}}", sum(of), sum(chosen)),
@@ -355,6 +368,15 @@ fn number(value: &Rational) -> String {
 mod tests {
     use super::super::spelled::names;
     use super::super::{read, read_expression};
+
+    #[test]
+    fn a_transpose_in_a_product_is_read_again() {
+        for tex in [r"r A^\top", r"r 0.26^\mathrm{T}", r"A_1^{\top} A", r"2 A^\top"] {
+            let tree = read_expression(tex, &names()).unwrap();
+            let printed = tree.to_string();
+            assert_eq!(read_expression(&printed, &names()).unwrap(), tree, "{printed}");
+        }
+    }
 
     #[test]
     fn prints_what_an_author_would() {

@@ -2,9 +2,11 @@
 //! fails and says what to write instead; nothing is guessed.
 
 use super::error::{Fault, Reason};
-use super::part::{Form, Part, readable, starts_factor};
+use super::extent::{Belongs, Extents};
+use super::part::{Form, Part, product, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Tree};
+use std::collections::HashSet;
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
 pub(super) const DEEPEST: usize = 100;
@@ -26,6 +28,8 @@ pub(super) struct Reader<'a> {
     pub(super) doubts: Vec<Doubt>,
     /// The token at which the last derivative written before a factor without brackets ends, and its letter.
     pub(super) derivative: Option<(usize, Name)>,
+    /// The tokens at which an argument without brackets ends before what may belong to it.
+    pub(super) argument_ends: HashSet<usize>,
     pub(super) names: &'a Names,
 }
 
@@ -42,6 +46,7 @@ impl<'a> Reader<'a> {
             integrated: Vec::new(),
             doubts: Vec::new(),
             derivative: None,
+            argument_ends: HashSet::new(),
             names,
         }
     }
@@ -101,6 +106,21 @@ impl<'a> Reader<'a> {
     /// Notes that a place has another meaning than the one taken.
     pub(super) fn doubt(&mut self, at: usize, kind: DoubtKind) {
         self.doubts.push(Doubt { kind, at: At(at) });
+    }
+
+    /// Refuses what may belong to an argument or a divisor before it, or not: where nothing is decided in both readings.
+    pub(super) fn has_one_extent(&self) -> Result<(), Fault> {
+        let open = self.doubts.iter().find_map(|doubt| match &doubt.kind {
+            DoubtKind::Extent {
+                readings,
+                is_usual: false,
+            } => Some((doubt.at.0, readings.first()?)),
+            _ => None,
+        });
+        open.map_or(Ok(()), |(at, OtherReading { taken, other })| {
+            let found = "what follows an argument or a divisor";
+            Err(Fault::two_readings(at, found, &taken.to_string(), &other.to_string()))
+        })
     }
 
     pub(super) fn rise(&mut self) {
@@ -236,7 +256,9 @@ impl<'a> Reader<'a> {
         let mut form = first.form;
         let mut factors = vec![*self.beside(first)?];
         let mut divided = false;
+        let (start, mut extents) = (self.here(), Extents::default());
         while let Some(token) = self.peek() {
+            let is_open = self.argument_ends.contains(&self.next);
             let juxtaposed = starts_factor(token.kind);
             if self.is_past_differential(factors.last()) {
                 break;
@@ -250,9 +272,6 @@ impl<'a> Reader<'a> {
             }
             let printed = self.first_printed();
             let factor = self.factor()?;
-            if matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
-                self.no_operator(factors.last(), &factor.tree, token.at)?;
-            }
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
             }
@@ -269,28 +288,41 @@ impl<'a> Reader<'a> {
                     self.skip_empty();
                     continue;
                 }
+                if token.kind != Kind::Open(Bracket::Curly) {
+                    self.no_operator(factors.last(), &factor.tree, token.at)?;
+                }
                 self.doubt_bracket(factors.last(), &factor.tree, token.at);
             }
+            let number = factors.len().saturating_sub(1);
             if token.kind != Kind::Slash {
-                Self::parted(factors.last(), form, &factor.tree, token)?;
+                let belongs = match is_open && juxtaposed {
+                    true => Some(Belongs { is_usual: false }),
+                    false => Self::may_belong(factors.last(), form, &factor.tree, token),
+                };
+                belongs
+                    .into_iter()
+                    .for_each(|belongs| extents.argument(number, belongs));
             }
             let by = factor.form;
             let tree = self.beside(factor)?;
             self.skip_empty();
             if let Some(combined) = Self::vector_product(token, &factors, &tree) {
+                let ended = std::mem::take(&mut extents).doubt(&factors);
+                ended.into_iter().for_each(|kind| self.doubt(start, kind));
                 factors = vec![combined];
                 form = by;
                 continue;
             }
             if token.kind == Kind::Slash {
+                let ended = std::mem::take(&mut extents).doubt_of_quotient(&factors, &tree, At(token.at), is_open);
+                ended.into_iter().for_each(|kind| self.doubt(start, kind));
                 let above = product(factors);
                 self.divisor(by, token.at, divided)?;
                 if let (Tree::Product(below), Form::Knot | Form::Bare) = (&*tree, by) {
                     return Err(two_quotients(above, below.clone(), token.at));
                 }
                 if self.peek_kind().is_some_and(starts_factor) {
-                    let next = *self.factor()?.tree;
-                    return Err(two_quotients(above, vec![*tree, next], token.at));
+                    extents.divisor(0);
                 }
                 factors = vec![Tree::Quotient(above, tree, At(token.at))];
                 divided = true;
@@ -299,6 +331,8 @@ impl<'a> Reader<'a> {
             }
             form = by;
         }
+        let ended = extents.doubt(&factors);
+        ended.into_iter().for_each(|kind| self.doubt(start, kind));
         let form = match form {
             _ if divided => Form::Open,
             Form::Bare => Form::Bare,
@@ -347,7 +381,11 @@ impl<'a> Reader<'a> {
             before => before,
         };
         let kind = match letter {
-            Some(Tree::Symbol(of, _)) => DoubtKind::Argument { of: of.clone(), inside },
+            Some(Tree::Symbol(of, _)) => DoubtKind::Argument {
+                of: of.clone(),
+                inside,
+                readings: Vec::new(),
+            },
             Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket {
                 of: of.clone(),
                 inside,
@@ -400,13 +438,6 @@ fn two_quotients(above: Box<Tree>, below: Vec<Tree>, at: usize) -> Fault {
     let inside = quotient(Box::new(Tree::Product(below)));
     let found = "a factor right after a divisor";
     Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
-}
-
-pub(super) fn product(mut factors: Vec<Tree>) -> Box<Tree> {
-    Box::new(match factors.len() {
-        1 => factors.remove(0),
-        _ => Tree::Product(factors),
-    })
 }
 
 /// The letter of the sum, product or limit that a term ends in without brackets.
@@ -571,21 +602,21 @@ mod tests {
         refuse(&[
             (
                 "a/b c",
-                r"column 2: a factor right after a divisor can be read as \frac{a}{b} c or as \frac{a}{b c}",
+                r"column 2: what follows an argument or a divisor can be read as \frac{a}{b} c or as \frac{a}{b c}",
             ),
             (
                 r"x + h/2\pi",
-                r"column 6: a factor right after a divisor can be read as \frac{h}{2} \pi or as \frac{h}{2 \pi}",
+                r"column 6: what follows an argument or a divisor can be read as \frac{h}{2} \pi or as \frac{h}{2 \pi}",
             ),
             ("1/2a", r"\frac{1}{2} a or as \frac{1}{2 a}"),
-            ("a b/2c d", r"\frac{a b}{2} c or as \frac{a b}{2 c}"),
+            ("a b/2c d", r"\frac{a b}{2} c d or as \frac{a b}{2 c} d"),
             ("1/2 T_1", r"\frac{1}{2} T_1 or as \frac{1}{2 T_1}"),
             ("1/2(a + b)", r"\frac{1}{2} (a + b) or as \frac{1}{2 (a + b)}"),
             ("a/(b) c", r"\frac{a}{b} c or as"),
             ("1/r_B(a)", r"`r_B` before a single term in brackets"),
             ("1/0.5 x", r"or as \frac{1}{0.5 x}"),
             ("1/2^2 x", r"or as \frac{1}{2^2 x}"),
-            ("1/2 3", r"\frac{1}{2} \cdot 3 or as \frac{1}{2 \cdot 3}"),
+            ("1/2 3", "a number right after another factor"),
             ("a/b (c", "`(` is not closed"),
             (r"x/\partial a/\partial b", r"write \frac"),
             ("2 3", r"write \cdot"),

@@ -383,7 +383,7 @@ mod tests {
             r"A^\top",
             r"A^\intercal",
         ] {
-            check(&[(tex, r"[(A)^{\top}]")]);
+            check(&[(tex, r"[A^{\top}]")]);
         }
         check(&[
             ("x^{1/3}", "(^^ x (/ 1 3))"),

@@ -76,7 +76,8 @@ pub enum Tree {
     /// A number as printed; `0.26` is 13/50 exactly. Never negative.
     Number(Rational),
     Symbol(Name, At),
-    /// A function's value: `F_1(t_{k+1})`, `\dot{Z}^-(t_k)`, `\cos(\pi t)`. The absolute value is the function `\abs`.
+    /// A function's value: `F_1(t_{k+1})`, `\dot{Z}^-(t_k)`, `\cos(\pi t)`; that of a function of several arguments has one
+    /// [`Operation::Arguments`]. The absolute value is the function `\abs`.
     Call(Name, Box<Tree>, At),
     /// `\frac{\partial of}{\partial by}`.
     Partial {
@@ -114,6 +115,8 @@ pub enum Tree {
 /// Matrices, derivatives, integrals, finite sums and products, values by cases.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
+    /// What stands between the brackets of a function of several arguments: two or more.
+    Arguments(Vec<Tree>),
     /// Rows of equal length, one or more.
     Matrix(Vec<Vec<Tree>>),
     Determinant(Tree),
@@ -221,6 +224,17 @@ impl Tree {
         }
     }
 
+    /// The arguments that stand in the brackets of a call: this one, or the parts of [`Operation::Arguments`].
+    pub fn arguments(&self) -> &[Self] {
+        match self {
+            Self::Operation(operation, _) => match &**operation {
+                Operation::Arguments(several) => several,
+                _ => std::slice::from_ref(self),
+            },
+            one => std::slice::from_ref(one),
+        }
+    }
+
     /// The letter of the sum, product or limit that it ends in: what follows may belong to that.
     pub(crate) fn open_letter(&self) -> Option<&Name> {
         match self {
@@ -276,6 +290,7 @@ impl Operation {
     pub fn parts(&self) -> Vec<(&Tree, bool)> {
         let free = |tree| (tree, false);
         match self {
+            Self::Arguments(parts) => parts.iter().map(free).collect(),
             Self::Matrix(rows) => rows.iter().flatten().map(free).collect(),
             Self::Determinant(of)
             | Self::Trace(of)
@@ -303,6 +318,7 @@ impl Operation {
     #[must_use]
     pub fn map(&self, new: &mut dyn FnMut(&Tree, bool) -> Tree) -> Self {
         match self {
+            Self::Arguments(parts) => Self::Arguments(parts.iter().map(|part| new(part, false)).collect()),
             Self::Matrix(rows) => Self::Matrix(
                 rows.iter()
                     .map(|row| row.iter().map(|part| new(part, false)).collect())

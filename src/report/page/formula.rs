@@ -451,6 +451,10 @@ fn article(
     ));
     facts.extend(listed("reason", vec![sentence(&text("reason"), &own.names)]));
     facts.extend(listed("provided", excluded(&text("provided"), &own.names)));
+    let reading = text("reading");
+    if !reading.is_empty() {
+        facts.extend(listed("read as", vec![sentence(&reading, &own.names)]));
+    }
     let reductions = text("reductions");
     if !reductions.is_empty() {
         facts.extend(listed("reduced by", vec![text_in("span", reductions)]));

@@ -1,5 +1,7 @@
 //! Formulas within the text that say what a letter is or that something holds: `where $N = N_t + N_c$`, `let $u = x^4$`.
 
+use std::ops::Range;
+
 /// Words right behind a display, in front of what is said of it.
 const BEHIND: [&str; 2] = ["where", "with"];
 
@@ -190,6 +192,120 @@ pub(super) fn scope_end(text: &str, at: usize) -> usize {
         true => usize::MAX,
         false => at + far,
     }
+}
+
+/// Returns the parts of a text at whose end what their displays say ends to hold: examples, exercises, proofs and cases, as environments,
+/// directives, items or under headings of their own.
+pub(super) fn local_parts(text: &str) -> Vec<Range<usize>> {
+    let mut parts = Vec::new();
+    for (at, _) in text.match_indices(r"\begin{") {
+        let behind = text.get(at + r"\begin{".len()..).unwrap_or_default();
+        if is_local(behind.trim_start_matches(|c: char| !c.is_alphabetic())) {
+            let inside = at + r"\begin{".len();
+            parts.push(inside..scope_end(text, inside));
+        }
+    }
+    for (at, _) in text.match_indices(r"\item") {
+        let behind = text.get(at + r"\item".len()..).unwrap_or_default();
+        let behind = match behind.strip_prefix('[').and_then(|label| label.split_once(']')) {
+            Some((label, behind)) if !is_local(label.trim_start_matches(|c: char| !c.is_alphabetic())) => behind,
+            _ => behind,
+        };
+        let label = behind.trim_start_matches(|c: char| !c.is_alphabetic());
+        if is_supposed(label) {
+            // past `Case 1:`, which begins a part as well
+            let inside = text.len() - label.len() + 1;
+            parts.push(at..scope_end(text, inside));
+        }
+    }
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let start = at;
+        at += line.len();
+        let own = line.trim_start();
+        let levels = own.len() - own.trim_start_matches('#').len();
+        let fence = own.len() - own.trim_start_matches([':', '`']).len();
+        let command = HEADINGS
+            .iter()
+            .filter(|heading| **heading != r"\item")
+            .position(|heading| starts_with_command(own, heading));
+        let title = own
+            .trim_start_matches(['#', ':', '`', '{'])
+            .trim_start_matches(|c: char| !c.is_alphabetic());
+        let title = match command {
+            Some(_) => own.split_once('{').map_or("", |(_, title)| title),
+            None => title,
+        };
+        let rest = || text.get(at..).unwrap_or_default().split_inclusive('\n');
+        let length_until =
+            |is_end: &dyn Fn(&str) -> bool| -> usize { rest().take_while(|line| !is_end(line)).map(str::len).sum() };
+        let length = match (levels, fence, command) {
+            _ if !is_local(title) => continue,
+            (1.., _, _) => length_until(&|line| {
+                let own = line.len() - line.trim_start_matches('#').len();
+                (1..=levels).contains(&own)
+            }),
+            (_, 3.., _) => {
+                let sign = own.get(..fence).unwrap_or_default();
+                length_until(&|line| line.trim() == sign)
+            }
+            (_, _, Some(level)) => length_until(&|line| {
+                HEADINGS
+                    .iter()
+                    .take(level + 1)
+                    .any(|heading| starts_with_command(line.trim_start(), heading))
+            }),
+            // `Case 2.` at the start of a line, of which the first letter is passed
+            _ if is_numbered_heading(title) => {
+                parts.push(start..scope_end(text, at - title.len() + 1));
+                continue;
+            }
+            _ => continue,
+        };
+        parts.push(
+            start..match at + length == text.len() {
+                true => usize::MAX,
+                false => at + length,
+            },
+        );
+    }
+    parts
+}
+
+/// The first words of what holds to its end alone.
+const LOCAL: [&str; 16] = [
+    "example",
+    "exampl",
+    "exercise",
+    "problem",
+    "question",
+    "case",
+    "proof",
+    "solution",
+    "answer",
+    "counterexample",
+    "task",
+    "homework",
+    "xca",
+    "ex",
+    "prob",
+    "sol",
+];
+
+/// Returns true if a title or the name of an environment begins with such a word, `example*`, `Case 2`.
+fn is_local(title: &str) -> bool {
+    let word: String = title.chars().take_while(char::is_ascii_alphabetic).collect();
+    let word = word.to_lowercase();
+    LOCAL
+        .iter()
+        .any(|local| *local == word || word.strip_suffix('s') == Some(local))
+}
+
+/// Returns true if an item begins as a case or a supposition does.
+fn is_supposed(item: &str) -> bool {
+    let word: String = item.chars().take_while(char::is_ascii_alphabetic).collect();
+    let supposed = ["if", "when", "suppose", "assume", "assuming", "for"];
+    is_local(item) || supposed.contains(&word.to_lowercase().as_str())
 }
 
 /// The most characters over which what is said within the text holds.

@@ -128,9 +128,10 @@ fn of_symbols(symbols: &RawSymbols) -> String {
     if let Some(opaque) = &symbols.opaque {
         let [factors, functions, values] = [&opaque.factors, &opaque.functions, &opaque.values]
             .map(|names| list(&names.iter().cloned().collect::<Vec<_>>()));
+        let letters = list(&opaque.letters);
         let _ = writeln!(
             text,
-            "opaque = {{ factors = {factors}, functions = {functions}, values = {values}, transposes = {} }}",
+            "opaque = {{ factors = {factors}, functions = {functions}, values = {values}, letters = {letters}, transposes = {} }}",
             opaque.transposes
         );
     }

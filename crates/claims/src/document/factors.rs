@@ -41,7 +41,8 @@ impl Factors {
             })
             .map(|(of, inside)| {
                 let (of, inside) = (of.clone(), inside.clone());
-                DoubtKind::Argument { of, inside }.to_string()
+                let readings = Vec::new();
+                DoubtKind::Argument { of, inside, readings }.to_string()
             })
             .collect()
     }
@@ -50,7 +51,7 @@ impl Factors {
 /// The letters of an equation that stand before a bracket, each with what stands in it.
 fn arguments(equation: &Equation) -> impl Iterator<Item = (&Name, &Tree)> {
     equation.doubts.0.iter().filter_map(|doubt| match &doubt.kind {
-        DoubtKind::Argument { of, inside } => Some((of, inside)),
+        DoubtKind::Argument { of, inside, .. } => Some((of, inside)),
         _ => None,
     })
 }

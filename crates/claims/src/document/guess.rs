@@ -51,6 +51,8 @@ pub(super) struct Asked<'a> {
     pub is_founded: bool,
     /// True if another row of its display could be a condition on it.
     pub is_doubtful: bool,
+    /// The place in the text from which it no longer holds.
+    pub until: usize,
 }
 
 /// The letters met so far, and the names that have a value, as they are printed.
@@ -140,16 +142,35 @@ fn has_dependence(equation: &Equation, is_value: &dyn Fn(&Name, &Name) -> bool) 
     let is_d = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.to_string() == "d");
     let mut depends = |node: &Tree| match node {
         Tree::Operation(operation, _) => match &**operation {
-            Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } => any(
-                of,
-                &mut |node| matches!(node, Tree::Symbol(name, _) if name != by && !is_constant(name) && !is_value(name, by)),
-            ),
+            Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } => {
+                // of `\frac{\partial^2 u}{\partial x \partial t}` both letters are arguments of u
+                let inner = match innermost(of) {
+                    symbol @ Tree::Symbol(..) => symbol,
+                    _ => of,
+                };
+                let depends = |name: &Name| name != by && !is_constant(name) && !is_value(name, by);
+                any(
+                    inner,
+                    &mut |node| matches!(node, Tree::Symbol(name, _) if depends(name)),
+                )
+            }
             _ => false,
         },
         Tree::Product(factors) => factors.iter().rev().skip(1).any(is_d),
         _ => false,
     };
     any_side(equation, &mut depends)
+}
+
+/// Returns what a derivative of derivatives is of.
+fn innermost(tree: &Tree) -> &Tree {
+    match tree {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Derivative { of, .. } => innermost(of),
+            _ => tree,
+        },
+        tree => tree,
+    }
 }
 
 /// The symbol that a factor is, or a power of it.
@@ -331,6 +352,10 @@ fn is_order(node: &Tree) -> bool {
     matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_)))
 }
 
+fn binds(node: &Tree) -> bool {
+    matches!(node, Tree::Operation(operation, _) if operation.letter().is_some())
+}
+
 fn is_opaque_symbol(node: &Tree) -> bool {
     matches!(node, Tree::Symbol(name, _) if is_opaque(name))
 }
@@ -393,8 +418,9 @@ fn differentiated<'a>(equations: impl Iterator<Item = &'a Equation>) -> BTreeSet
         any(side, &mut |node| {
             match node {
                 Tree::Operation(operation, _) => {
-                    if let Operation::Derivative { of, .. } = &**operation {
-                        found.extend(letters_of(of).iter().map(ToString::to_string));
+                    if let Operation::Derivative { of, by, .. } = &**operation {
+                        let letters = letters_of(innermost(of));
+                        found.extend(letters.iter().filter(|name| *name != by).map(ToString::to_string));
                     }
                 }
                 Tree::Symbol(name, _) => {
@@ -425,14 +451,47 @@ fn values_given<'a>(equations: impl Iterator<Item = &'a Equation>) -> BTreeSet<S
     given.collect()
 }
 
-/// The functions whose definitions hold a term that is not understood, which may depend on the argument.
-fn hidden_functions<'a>(equations: impl Iterator<Item = &'a Equation>, given: &BTreeSet<Name>) -> BTreeSet<Name> {
-    let hides = |equation: &&Equation| any(&equation.right, &mut is_opaque_symbol);
-    let named = equations.filter(hides).filter_map(|equation| match &equation.left {
-        Tree::Call(name, ..) => Some(name),
+/// The functions that are not given by what looks like their definition: it holds a term that is not understood, which may depend on
+/// the argument, or the function itself; or the function is met before, or has another number of arguments elsewhere.
+fn hidden_functions<'a>(
+    equations: impl Iterator<Item = &'a Equation> + Clone,
+    given: &BTreeSet<Name>,
+) -> BTreeSet<Name> {
+    let mut counts: HashMap<Name, BTreeSet<usize>> = HashMap::new();
+    // those that are met before an equation that looks like their definition
+    let (mut met, mut early) = (BTreeSet::new(), BTreeSet::new());
+    for equation in equations.clone() {
+        if let Tree::Call(name, ..) = &equation.left
+            && given.contains(name)
+            && equation.relation == Relation::Equal
+        {
+            let is_definition = |own: &Tree| matches!(own, Tree::Symbol(..));
+            let is_first =
+                matches!(&equation.left, Tree::Call(_, argument, _) if argument.arguments().iter().all(is_definition));
+            early.extend((is_first && met.contains(name)).then(|| name.clone()));
+        }
+        met.extend(names_of([equation]));
+        any_side(equation, &mut |node| {
+            if let Tree::Call(name, argument, _) = node {
+                counts
+                    .entry(name.clone())
+                    .or_default()
+                    .insert(argument.arguments().len());
+            }
+            false
+        });
+    }
+    let is_hidden = |equation: &Equation, name: &Name| {
+        let is_itself = |node: &Tree| matches!(node, Tree::Call(own, ..) if own == name);
+        any(&equation.right, &mut |node| is_opaque_symbol(node) || is_itself(node))
+            || early.contains(name)
+            || counts.get(name).is_some_and(|counts| counts.len() > 1)
+    };
+    let named = equations.filter_map(|equation| match &equation.left {
+        Tree::Call(name, ..) if given.contains(name) && is_hidden(equation, name) => Some(name.clone()),
         _ => None,
     });
-    named.filter(|name| given.contains(*name)).cloned().collect()
+    named.collect()
 }
 
 impl Guess {
@@ -462,10 +521,13 @@ impl Guess {
         let given = formulas
             .iter()
             .flat_map(|formula| functions_given(formula.tex.as_deref().unwrap_or_default(), &names));
-        let mut count: HashMap<Name, usize> = HashMap::new();
-        for (name, argument) in given {
-            let is_letter = argument == Name::plain(&argument.base) && !is_constant(&argument);
-            *count.entry(name).or_default() += if is_letter { 1 } else { 2 };
+        let (mut count, mut several): (HashMap<Name, usize>, Vec<Name>) = Default::default();
+        for (name, arguments) in given {
+            let is_letter = |argument: &Name| *argument == Name::plain(&argument.base) && !is_constant(argument);
+            let are_different = arguments.iter().collect::<BTreeSet<_>>().len() == arguments.len();
+            several.extend((arguments.len() > 1).then(|| name.clone()));
+            let may_be_given = are_different && arguments.iter().all(is_letter);
+            *count.entry(name).or_default() += if may_be_given { 1 } else { 2 };
         }
         // what is given twice is a value each time
         let once = count
@@ -473,6 +535,7 @@ impl Guess {
             .filter(|(name, count)| *count == 1 && name.primes == 0 && !functions.contains(name));
         names.defined = once.map(|(name, _)| name).collect();
         names.defined.sort();
+        names.several = several;
         let mut given_functions: BTreeSet<Name> = names.defined.iter().cloned().collect();
         let (mut values, mut rounds, mut transposes) = (BTreeSet::new(), MOST_ROUNDS, false);
         let mut factors: BTreeSet<String> = symbols.parameters().map(|name| name.base.clone()).collect();
@@ -490,6 +553,7 @@ impl Guess {
                 functions: given_functions.iter().map(ToString::to_string).collect(),
                 values: values.clone(),
                 transposes,
+                letters: names.letters.clone(),
             });
             names.opaque = opaque.clone().map(Opaque::from);
             let read: Vec<Vec<Equation>> = formulas.iter().map(|formula| stated(formula, &names)).collect();
@@ -611,6 +675,7 @@ impl Guess {
             return;
         }
         self.asides.retain(|(label, _)| !ended.contains(label));
+        self.premises.retain(|label| !ended.contains(label));
         for labels in self.again.values_mut() {
             labels.retain(|own| !ended.contains(own));
         }
@@ -629,16 +694,8 @@ impl Guess {
         if self.conflict(at).is_some() || self.question(at, "").is_some() || question_below(&equations).is_some() {
             return None;
         }
-        // a letter that has the value here alone is no name for it
-        let new = match self.defined(equation) {
-            Some(name) if self.spoken_last.get(&name).is_some_and(|last| *last >= until) => {
-                let from = self.places.get(at).copied().unwrap_or_default();
-                self.scopes.entry(name).or_default().push(from..until);
-                None
-            }
-            new => new,
-        };
-        let mut names = names_of([equation]);
+        let new = self.defined_until(equation, at, until);
+        let mut names = self.names_of([equation]);
         let below = self.definitions_of(&names);
         let role = match &new {
             Some(name) => {
@@ -673,29 +730,28 @@ impl Guess {
             role,
             is_founded,
             is_doubtful,
+            until,
         } = asked;
         self.numbers.insert(label.to_owned(), at);
         if let Some(open) = self.question(at, tex).or_else(|| self.question_beside(at, is_link)) {
             self.open.insert(label.to_owned(), open);
         }
         let equations = self.read.get(at).cloned().unwrap_or_default();
-        let new = match equations.as_slice() {
-            [equation] => self.defined(equation),
-            _ => None,
-        };
+        let (mut new, mut is_local) = (None, false);
+        if let [equation] = equations.as_slice() {
+            let defined = self.defined(equation).is_some();
+            new = self.defined_until(equation, at, until);
+            is_local = defined && new.is_none() && role.is_none();
+        }
         let is_law = matches!(equations.as_slice(), [equation] if self.is_new_law(equation));
         let is_guess = role.is_none();
         let role = role.unwrap_or(match (&new, is_law) {
             (Some(_), _) => Role::Definition,
             (_, true) => Role::Premise,
+            _ if is_local => Role::Premise,
             _ => Role::Claim,
         });
-        let mut names = BTreeSet::new();
-        for equation in &equations {
-            for side in [&equation.left, &equation.right] {
-                names_in(side, &mut names);
-            }
-        }
+        let mut names = self.names_of(&equations);
         let mut below = self.definitions_of(&names);
         // a chain begins with an identity where its first sides have the same letters
         let begins_alike =
@@ -706,8 +762,15 @@ impl Guess {
             true => Standing::Law,
             false if begins_alike => Standing::Link,
             false if equations.is_empty() => self.outlined(tex),
+            false if is_local => Standing::Definition,
             false => Standing::Open,
         };
+        if is_local {
+            self.state(label, &equations, false);
+        }
+        if until < usize::MAX {
+            self.asides.push((label.to_owned(), until));
+        }
         let loose = question_below(&equations);
         // a letter that is given a second value has either
         if let Some(name) = self
@@ -762,8 +825,8 @@ impl Guess {
                 self.definitions
                     .extend(new.clone().map(|name| (name, label.to_owned())));
             }
-            Role::Premise => self.premises.push(label.to_owned()),
-            Role::Claim => {}
+            Role::Premise if !is_local => self.premises.push(label.to_owned()),
+            Role::Premise | Role::Claim => {}
         }
         if is_guess {
             self.guessed.insert(label.to_owned(), role);
@@ -1010,11 +1073,10 @@ impl Guess {
         }
         self.read.get(at).into_iter().flatten().find_map(|equation| {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
-            let binds = |node: &Tree| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some());
             if has_dependence(equation, &|name, by| self.is_value(name, by))
                 || is_with_and_without_time(equation)
                 || is_some(&mut is_rate)
-                || (is_some(&mut is_opaque_symbol) && is_some(&mut |node| binds(node)))
+                || (is_some(&mut is_opaque_symbol) && is_some(&mut binds))
             {
                 Some("what depends on what?")
             } else if only_reorders(equation) {
@@ -1185,7 +1247,8 @@ impl Guess {
         let name = match &equation.left {
             Tree::Symbol(name, _) => name,
             Tree::Call(name, argument, _)
-                if self.given_functions.contains(name) && matches!(**argument, Tree::Symbol(..)) =>
+                if self.given_functions.contains(name)
+                    && argument.arguments().iter().all(|own| matches!(own, Tree::Symbol(..))) =>
             {
                 name
             }
@@ -1201,6 +1264,18 @@ impl Guess {
         (equation.relation == Relation::Equal && is_new && is_one && !right.contains(name)).then(|| name.clone())
     }
 
+    /// The name that an equation gives which holds up to the place `until` of the text; none where it has the value up to there alone, and
+    /// is spoken of later.
+    fn defined_until(&mut self, equation: &Equation, at: usize, until: usize) -> Option<Name> {
+        let name = self.defined(equation)?;
+        if self.spoken_last.get(&name).is_some_and(|last| *last >= until) {
+            let from = self.places.get(at).copied().unwrap_or_default();
+            self.scopes.entry(name).or_default().push(from..until);
+            return None;
+        }
+        Some(name)
+    }
+
     /// Whether an equation is the first to speak of a function, and says what it is.
     fn is_new_law(&self, equation: &Equation) -> bool {
         let Tree::Call(name, argument, _) = &equation.left else {
@@ -1214,6 +1289,14 @@ impl Guess {
         let is_new =
             self.functions.contains(name) && !self.met.contains(name) && !right.contains(name) && !is_derivative;
         equation.relation == Relation::Equal && is_time && is_new
+    }
+
+    /// Returns the names in equations; a derivative of a function that a definition gives is named by that function.
+    fn names_of<'e>(&self, equations: impl IntoIterator<Item = &'e Equation>) -> BTreeSet<Name> {
+        let is_given =
+            |function: &Name| self.given_functions.contains(function) && self.definitions.contains_key(function);
+        let plain = |name: Name| undotted(&name).filter(is_given).unwrap_or(name);
+        names_of(equations).into_iter().map(plain).collect()
     }
 
     /// The definitions of these names.
@@ -1282,10 +1365,14 @@ impl Guess {
         numbers_are.into_iter().chain(functions_are).chain(meant).collect()
     }
 
-    /// Declares in `raw` what its formulas use beside the symbols that the document declares: real numbers and functions of time.
+    /// Declares in `raw` what its formulas use beside the symbols that the document declares, or that its formulas were seen to hold:
+    /// real numbers and functions of time.
     pub fn complete(&mut self, raw: &mut RawSheet, lines: &Text) {
-        if !self.has_symbols || self.is_strict {
+        if self.is_strict {
             return;
+        }
+        if !self.has_symbols {
+            return self.complete_guess(raw, lines);
         }
         while let Ok(sheet) = Sheet::from_raw(raw, lines, &Symbols::default()) {
             let new = self.unknown(&sheet);
@@ -1296,6 +1383,34 @@ impl Guess {
             };
             raw.symbols = Some(symbols);
             self.undeclared.extend(new);
+        }
+    }
+
+    /// Declares the symbols of a document that declares none itself, and what is met when its formulas are read with these: a letter, or
+    /// a term that is not understood where nothing in the formula runs that it may depend on.
+    fn complete_guess(&mut self, raw: &mut RawSheet, lines: &Text) {
+        for _ in 0..MOST_ROUNDS {
+            raw.symbols = self.raw_symbols().map(|symbols| Spanned::new(0..0, symbols));
+            let Ok(sheet) = Sheet::from_raw(raw, lines, &Symbols::default()) else {
+                return;
+            };
+            let mut new = BTreeSet::new();
+            for entry in &sheet.entries {
+                let unknown = entry
+                    .unread
+                    .iter()
+                    .flat_map(Fault::unknown)
+                    .map(|unknown| &unknown.name);
+                let mut equations = entry.equations.iter();
+                let is_bound = entry.equations.is_empty() || equations.any(|equation| any_side(equation, &mut binds));
+                let may_be_symbol = |name: &&Name| !is_opaque(name) || !is_bound;
+                new.extend(unknown.filter(may_be_symbol).cloned());
+            }
+            let known = self.names.len();
+            self.names.extend(new);
+            if self.names.len() == known {
+                return;
+            }
         }
     }
 

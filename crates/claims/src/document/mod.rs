@@ -26,6 +26,7 @@ use guess::{Asked, Guess};
 use members::Members;
 use scan::{Comment, Formula, Scan};
 use std::collections::{BTreeSet, HashMap, HashSet};
+use std::ops::Range;
 use texmath::{Symbols, nearest};
 use toml::Spanned;
 
@@ -110,6 +111,7 @@ impl Document {
         let mut scan = Scan::new(text, preamble, markup, include);
         if scan.comments.is_empty() {
             scan.formulas = links::parted(links::merged(scan.formulas, scan.asides), &scan.text);
+            end_within(&asides::local_parts(&scan.text), &mut scan.formulas);
         }
         let place = |at: usize| Spanned::new(at..at, String::new());
         let lines = Text::of_files(&scan.text, &scan.files);
@@ -528,6 +530,7 @@ fn entries(
             role,
             is_founded: own.follows_from.is_some(),
             is_doubtful,
+            until: formula.until,
         });
         let mut unread = formula.tex.clone().err().or(own.problem).or_else(|| guess.conflict(at));
         let mut follows_from = guessed.follows_from;
@@ -594,10 +597,15 @@ fn entries(
         entry.has_more_said = whole.members.says_of(entry.tex.get_ref());
         entry.columns = !entry.operators.is_empty() && guess.may_have_columns && !whole.members.has_other_columns;
     }
-    if let Some(symbols) = guess.raw_symbols() {
-        raw.symbols = Some(Spanned::new(0..0, symbols));
-    }
     guess.told()
+}
+
+/// Lets the displays within parts of the text that hold to their ends alone hold to these.
+fn end_within(parts: &[Range<usize>], formulas: &mut [Formula]) {
+    for formula in formulas.iter_mut().filter(|formula| !formula.is_aside) {
+        let around = parts.iter().filter(|part| part.contains(&formula.part.start));
+        formula.until = around.map(|part| part.end).min().unwrap_or(usize::MAX);
+    }
 }
 
 /// A formula that a name calls: where its display starts, the line of that, and its label.

@@ -66,7 +66,7 @@ pub(super) struct Formula {
     /// True if it stands within the text.
     pub is_aside: bool,
     /// The place in the text from which it no longer holds: of a formula within the text the end of the environment, item or section
-    /// around it.
+    /// around it, of a display that of the example, case or proof.
     pub until: usize,
 }
 

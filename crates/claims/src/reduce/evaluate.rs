@@ -263,6 +263,7 @@ impl<'a> Over<'a> {
 
     fn operation(&mut self, operation: &Operation) -> Result<Value, String> {
         Ok(match operation {
+            Operation::Arguments(_) => return Err("a function of several arguments without a definition".to_owned()),
             Operation::Matrix(rows) => {
                 let mut out = Vec::new();
                 for row in rows {

@@ -84,7 +84,8 @@ impl Rule {
                 kind: Series::Sum | Series::Product,
                 ..
             } => Some(Self::SeriesTerms),
-            Operation::Root { .. }
+            Operation::Arguments(_)
+            | Operation::Root { .. }
             | Operation::Integral { .. }
             | Operation::Limit { .. }
             | Operation::Order(_)
