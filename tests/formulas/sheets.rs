@@ -114,7 +114,9 @@ fn what_is_no_sheet() {
 #[test]
 fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
     let symbols = "title = 'readings'\n[symbols]\nparameters = ['x', 'y', 'a', 'b']\n";
-    let given = equation("V", "definition", "V = a x^2 + b", "") + &equation("R", "definition", "R(x) = a x^3", "");
+    let given = equation("V", "definition", "V = a x^2 + b", "")
+        + &equation("R", "definition", "R(x) = a x^3", "")
+        + &equation("S", "definition", r"S = \sum_{k=1}^{n} k", "");
     for (tex, from, verdict, reading) in [
         // usual, or the same in all
         (r"\exp x \exp y = e^{x + y}", "", Verdict::Proved, r"`\exp(x) \exp(y)`"),
@@ -142,6 +144,13 @@ fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
         (r"1/2 a = \frac{a}{2}", "", Verdict::Undecided, r"`\frac{1}{2} a`"),
         (r"x^{1/2 a} = x^{a/2}", "", Verdict::Undecided, r"`\frac{1}{2} a`"),
         ("V(x^2) = x^2 V", "V", Verdict::Undecided, "the value of `V` at `x^2`"),
+        // the letter of the sum is no argument
+        (
+            r"S(k^2) = \sum_{k=1}^{n} k^2",
+            "S",
+            Verdict::Undecided,
+            "`S` times `k^2`",
+        ),
         // false in all
         ("a/b x = a/b y", "", Verdict::Refuted, r"`\frac{a}{b} x`"),
         (r"\cos x y/2 = 5", "", Verdict::Refuted, r"\cos(x) y"),

@@ -164,9 +164,14 @@ impl Sheet {
             return None;
         };
         let inner = letters_of(inside);
+        // a letter that runs in the formula is none of its arguments, and would catch one in the bracket
+        let runs = any(
+            meaning,
+            &mut |node| matches!(node, Tree::Operation(operation, _) if operation.letter().is_some_and(|letter| inner.contains(letter))),
+        );
         let shared: Vec<Name> = letters_of(meaning)
             .into_iter()
-            .filter(|letter| inner.contains(letter))
+            .filter(|letter| !runs && inner.contains(letter))
             .collect();
         match shared.as_slice() {
             [letter] if !is_known && !matches!(inside, Tree::Sum(_)) => Some(with_symbol(meaning, letter, inside)),

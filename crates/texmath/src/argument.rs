@@ -457,6 +457,15 @@ mod tests {
     }
 
     #[test]
+    fn a_long_product_has_more_readings_than_are_decided_and_ends() {
+        for factors in [r"\exp x ", r"\sin x y "] {
+            let display = read_display(&format!("{} = 0", factors.repeat(1000)), &names()).unwrap();
+            let doubts = &display.equations[0].doubts.0;
+            assert!((16..100).contains(&doubts[0].kind.readings().len()), "{factors}");
+        }
+    }
+
+    #[test]
     fn powers_of_functions() {
         check(&[
             (r"\cos^3 x", r"(^ <\cos x> 3)"),

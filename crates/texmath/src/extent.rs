@@ -70,13 +70,17 @@ impl Extents {
         // from the last factor that may go on to the first, so that the numbers of those before stay
         let mut readings: Vec<Vec<Tree>> = vec![factors.to_vec()];
         for &(number, _) in self.open.iter().rev() {
-            let grown = readings.iter().take(MOST_EXTENTS).flat_map(|read| {
+            for read in readings.clone() {
                 // the next factor alone belongs to it, or all of them
-                let ends = [number + 2, read.len()];
-                ends.map(|end| self.grown(read, number, end))
-            });
-            let grown: Vec<Vec<Tree>> = grown.flatten().collect();
-            readings.extend(grown);
+                for end in [number + 2, read.len()] {
+                    let grown = self.grown(&read, number, end);
+                    let new = grown.filter(|grown| !readings.contains(grown));
+                    readings.extend(new);
+                }
+            }
+            if readings.len() > MOST_EXTENTS {
+                break;
+            }
         }
         readings.into_iter().skip(1).map(|read| *product(read)).collect()
     }
@@ -110,7 +114,8 @@ impl Extents {
     }
 }
 
-/// The most readings of a term to which another place that is open adds more.
+/// The most readings of a term to which another place that is open adds more: with more of them than are decided nothing is
+/// refuted, and only the usual one proved.
 const MOST_EXTENTS: usize = 16;
 
 /// The elementary function in whose value a tree ends, and its argument; the bars of an absolute value end it.

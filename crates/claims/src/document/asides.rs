@@ -157,10 +157,10 @@ pub(super) fn states(tex: &str) -> bool {
 /// on at the latest.
 pub(super) fn scope_end(text: &str, at: usize) -> usize {
     let behind = text.get(at..).unwrap_or_default();
-    let far = behind
-        .char_indices()
-        .nth(FARTHEST_END)
-        .map_or(behind.len(), |(far, _)| far);
+    let far = behind.len().min(FARTHEST_END);
+    let far = (far..behind.len())
+        .find(|far| behind.is_char_boundary(*far))
+        .unwrap_or(behind.len());
     let behind = behind.get(..far).unwrap_or_default();
     let mut depth = 0_usize;
     for (offset, c) in behind.char_indices() {
@@ -197,79 +197,82 @@ pub(super) fn scope_end(text: &str, at: usize) -> usize {
 /// Returns the parts of a text at whose end what their displays say ends to hold: examples, exercises, proofs and cases, as environments,
 /// directives, items or under headings of their own.
 pub(super) fn local_parts(text: &str) -> Vec<Range<usize>> {
-    let mut parts = Vec::new();
-    for (at, _) in text.match_indices(r"\begin{") {
-        let behind = text.get(at + r"\begin{".len()..).unwrap_or_default();
-        if is_local(behind.trim_start_matches(|c: char| !c.is_alphabetic())) {
-            let inside = at + r"\begin{".len();
-            parts.push(inside..scope_end(text, inside));
+    [local_environments(text), local_items(text), local_sections(text)].concat()
+}
+
+fn local_environments(text: &str) -> Vec<Range<usize>> {
+    let (mut parts, mut open) = (Vec::new(), Vec::new());
+    for (at, _) in text.match_indices('\\') {
+        let behind = text.get(at..).unwrap_or_default();
+        if let Some(name) = behind.strip_prefix(r"\begin{") {
+            open.push((at, is_local(name)));
+        } else if behind.starts_with(r"\end{")
+            && let Some((start, true)) = open.pop()
+        {
+            parts.push(start..at);
         }
     }
-    for (at, _) in text.match_indices(r"\item") {
-        let behind = text.get(at + r"\item".len()..).unwrap_or_default();
+    parts
+}
+
+fn local_items(text: &str) -> Vec<Range<usize>> {
+    let mut parts = Vec::new();
+    for (at, item) in text.match_indices(r"\item") {
+        let behind = text.get(at + item.len()..).unwrap_or_default();
         let behind = match behind.strip_prefix('[').and_then(|label| label.split_once(']')) {
-            Some((label, behind)) if !is_local(label.trim_start_matches(|c: char| !c.is_alphabetic())) => behind,
+            Some((label, behind)) if !is_local(label) => behind,
             _ => behind,
         };
-        let label = behind.trim_start_matches(|c: char| !c.is_alphabetic());
-        if is_supposed(label) {
+        let behind = from_letter(behind);
+        if is_supposed(behind) {
             // past `Case 1:`, which begins a part as well
-            let inside = text.len() - label.len() + 1;
-            parts.push(at..scope_end(text, inside));
+            parts.push(at..scope_end(text, text.len() - behind.len() + 1));
         }
     }
+    parts
+}
+
+/// Returns the parts under headings, in directives, and from `Case 2.` at the start of a line on.
+fn local_sections(text: &str) -> Vec<Range<usize>> {
+    let mut parts = Vec::new();
+    // those that are open, by the level of their heading or the sign that closes them, with their start and whether they are local
+    let mut sections: Vec<(usize, usize, bool)> = Vec::new();
+    let mut directives: Vec<(&str, usize, bool)> = Vec::new();
     let mut at = 0;
     for line in text.split_inclusive('\n') {
         let start = at;
         at += line.len();
-        let own = line.trim_start();
+        let own = line.trim();
         let levels = own.len() - own.trim_start_matches('#').len();
-        let fence = own.len() - own.trim_start_matches([':', '`']).len();
-        let command = HEADINGS
-            .iter()
-            .filter(|heading| **heading != r"\item")
-            .position(|heading| starts_with_command(own, heading));
-        let title = own
-            .trim_start_matches(['#', ':', '`', '{'])
-            .trim_start_matches(|c: char| !c.is_alphabetic());
-        let title = match command {
-            Some(_) => own.split_once('{').map_or("", |(_, title)| title),
-            None => title,
+        let (fence, directive) = own.split_at(own.len() - own.trim_start_matches([':', '`']).len());
+        let mut commands = HEADINGS.iter().filter(|heading| **heading != r"\item");
+        let command = commands.position(|heading| starts_with_command(own, heading));
+        let heading = match command {
+            Some(level) => own.split_once('{').map(|(_, title)| (level, title)),
+            None => (levels > 0).then_some((levels, own)),
         };
-        let rest = || text.get(at..).unwrap_or_default().split_inclusive('\n');
-        let length_until =
-            |is_end: &dyn Fn(&str) -> bool| -> usize { rest().take_while(|line| !is_end(line)).map(str::len).sum() };
-        let length = match (levels, fence, command) {
-            _ if !is_local(title) => continue,
-            (1.., _, _) => length_until(&|line| {
-                let own = line.len() - line.trim_start_matches('#').len();
-                (1..=levels).contains(&own)
-            }),
-            (_, 3.., _) => {
-                let sign = own.get(..fence).unwrap_or_default();
-                length_until(&|line| line.trim() == sign)
+        if let Some((level, title)) = heading {
+            while let Some((_, start, is_local)) = sections.pop_if(|(own, ..)| *own >= level) {
+                parts.extend(is_local.then_some(start..at - line.len()));
             }
-            (_, _, Some(level)) => length_until(&|line| {
-                HEADINGS
-                    .iter()
-                    .take(level + 1)
-                    .any(|heading| starts_with_command(line.trim_start(), heading))
-            }),
-            // `Case 2.` at the start of a line, of which the first letter is passed
-            _ if is_numbered_heading(title) => {
-                parts.push(start..scope_end(text, at - title.len() + 1));
-                continue;
+            sections.push((level, start, is_local(title)));
+        } else if fence.len() >= 3 && !directive.is_empty() {
+            directives.push((fence, start, is_local(directive)));
+        } else if fence.len() >= 3 {
+            if let Some((_, start, true)) = directives.pop_if(|(sign, ..)| *sign == fence) {
+                parts.push(start..at);
             }
-            _ => continue,
-        };
-        parts.push(
-            start..match at + length == text.len() {
-                true => usize::MAX,
-                false => at + length,
-            },
-        );
+        } else if is_local(own) && is_numbered_heading(from_letter(own)) {
+            // past the first letter, which begins this part
+            parts.push(start..scope_end(text, at - from_letter(line).len() + 1));
+        }
     }
     parts
+}
+
+/// Returns a text from its first letter on.
+fn from_letter(text: &str) -> &str {
+    text.trim_start_matches(|c: char| !c.is_alphabetic())
 }
 
 /// The first words of what holds to its end alone.
@@ -292,9 +295,12 @@ const LOCAL: [&str; 16] = [
     "sol",
 ];
 
-/// Returns true if a title or the name of an environment begins with such a word, `example*`, `Case 2`.
+/// Returns true if the first word of a title or of the name of an environment is one of these, `example*`, `Case 2`.
 fn is_local(title: &str) -> bool {
-    let word: String = title.chars().take_while(char::is_ascii_alphabetic).collect();
+    let word: String = from_letter(title)
+        .chars()
+        .take_while(char::is_ascii_alphabetic)
+        .collect();
     let word = word.to_lowercase();
     LOCAL
         .iter()
@@ -308,7 +314,7 @@ fn is_supposed(item: &str) -> bool {
     is_local(item) || supposed.contains(&word.to_lowercase().as_str())
 }
 
-/// The most characters over which what is said within the text holds.
+/// The most bytes over which what is said within the text holds.
 const FARTHEST_END: usize = 30_000;
 
 /// Commands that begin another part of a text.
