@@ -2112,14 +2112,8 @@ fn what_the_text_says_holds_in_its_part_alone() {
 
 #[test]
 fn displays_of_an_example_a_case_or_a_proof_hold_to_its_end() {
-    let tex = |text: &str| {
-        let document = Document::read(text, Markup::Tex, &mut |_| Err(String::new()));
-        decisions(&document).pop().unwrap()
-    };
-    let markdown = |text: &str| {
-        let document = Document::read(text, Markup::Markdown, &mut |_| Err(String::new()));
-        decisions(&document).pop().unwrap()
-    };
+    let all = |text: &str, markup: Markup| decisions(&Document::read(text, markup, &mut |_| Err(String::new())));
+    let last = |text: &str, markup: Markup| all(text, markup).pop().unwrap();
     let claim = r"\[ 3 k = 6 m \]";
     for part in [
         r"\begin{example} Let \[ k = 2 m. \] \end{example}",
@@ -2130,23 +2124,20 @@ fn displays_of_an_example_a_case_or_a_proof_hold_to_its_end() {
         "\\subsection{Example: a spring} Let \\[ k = 2 m. \\]\n\n\\subsection{In general}\n",
         "Case 1. Let \\[ k = 2 m. \\]\n\nCase 2. Here\n",
     ] {
-        let decision = tex(&format!("{part} {claim}"));
+        let decision = last(&format!("{part} {claim}"), Markup::Tex);
         assert_ne!(decision.verdict, Verdict::Proved, "{part}: {}", decision.reason);
         assert_ne!(decision.verdict, Verdict::Unread, "{part}: {}", decision.reason);
         // within the part it holds
         let within = part.replacen(r"2 m. \]", &format!(r"2 m. \] so {claim} "), 1);
-        let document = Document::read(&within, Markup::Tex, &mut |_| Err(String::new()));
-        let all = decisions(&document);
-        assert!(
-            all.iter().any(|row| row.verdict == Verdict::Proved),
-            "{within}: {all:#?}"
-        );
+        let found = all(&within, Markup::Tex);
+        let is_proved = found.iter().any(|row| row.verdict == Verdict::Proved);
+        assert!(is_proved, "{within}: {found:#?}");
     }
     for part in [
         "## Example 1\n\n$$ k = 2 m $$\n\n## Example 2",
         ":::{exercise}\n$$ k = 2 m $$\n:::",
     ] {
-        let decision = markdown(&format!("{part}\n\n$$ 3 k = 6 m $$\n"));
+        let decision = last(&format!("{part}\n\n$$ 3 k = 6 m $$\n"), Markup::Markdown);
         assert_ne!(decision.verdict, Verdict::Proved, "{part}: {}", decision.reason);
     }
     // what holds on
@@ -2156,7 +2147,7 @@ fn displays_of_an_example_a_case_or_a_proof_hold_to_its_end() {
         r"\begin{itemize} \item The stiffness is \[ k = 2 m. \] \item The mass is m. \end{itemize}",
         r"\section{The spring} Let \[ k = 2 m. \] \section{Results}",
     ] {
-        let decision = tex(&format!("{part} {claim}"));
+        let decision = last(&format!("{part} {claim}"), Markup::Tex);
         assert_eq!(decision.verdict, Verdict::Proved, "{part}: {}", decision.reason);
     }
 }

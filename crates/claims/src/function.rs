@@ -53,7 +53,7 @@ pub(super) fn names_given<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Sy
 }
 
 /// Returns true if no name stands twice in a list.
-fn are_different(names: &[Name]) -> bool {
+pub(super) fn are_different(names: &[Name]) -> bool {
     let mut met = HashSet::new();
     names.iter().all(|name| met.insert(name))
 }
@@ -331,7 +331,7 @@ impl Given {
         )))
     }
 
-    /// What depends on an argument of a function in its formula, and would not take part where another is put in.
+    /// The name in the formula of a function that depends on an argument, and would not take part where another is put in.
     fn held(&self, function: &Function, argument: &Name, symbols: &Symbols) -> Option<Name> {
         let is_time = symbols.running() == Some(argument);
         let conjugates = |name: &Name| symbols.is_conjugate_of(name, argument);

@@ -22,7 +22,7 @@ pub struct Decision {
     pub provided: Vec<String>,
     /// The rules by which the claim was reduced to the goals that were decided.
     pub rules: Rules,
-    /// What was taken wherever its notation, or that of what it rests on, has more than one meaning.
+    /// The meanings that were taken wherever its notation, or that of what it rests on, has more than one.
     pub readings: Vec<String>,
     /// The equation that was not proved, of the several that a label may have.
     pub failed: Option<Equation>,

@@ -32,11 +32,11 @@ pub enum DoubtKind {
     /// `\exp x \exp y`, `\sin x y`, `a/b c`, taken as a product: what follows may belong to the argument or the divisor.
     Extent {
         readings: Vec<OtherReading>,
-        /// Whether all authors that write so mean the product.
+        /// True if all authors that write so mean the product.
         is_usual: bool,
     },
     /// `\frac{df}{dx}` of a function of several arguments, taken with the others held fixed.
-    Held { of: Name, by: Name },
+    TotalDerivative { of: Name, by: Name },
     /// `\sum_k F + G`, `\frac{d}{dx} F + G`, taken as one that ends at the sign.
     Reach { letter: Name, readings: Vec<OtherReading> },
     /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
@@ -97,15 +97,17 @@ impl DoubtKind {
                 !readings.is_empty()
             }
             Self::Extent { is_usual, .. } => *is_usual,
-            Self::Held { .. } | Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) | Self::Marked(_) => {
-                false
-            }
+            Self::TotalDerivative { .. }
+            | Self::PowerOfSign { .. }
+            | Self::OddRoot { .. }
+            | Self::Open(_)
+            | Self::Marked(_) => false,
             _ => true,
         }
     }
 }
 
-/// What a place of a formula may mean: that which is taken first, and another.
+/// The meanings of a place of a formula: the one that is taken, and another.
 struct Choice {
     place: String,
     meanings: [String; 2],
@@ -154,7 +156,7 @@ impl DoubtKind {
                 let place = "what follows an argument or a divisor".to_owned();
                 Choice { place, meanings }
             }
-            Self::Held { of, by } => Choice {
+            Self::TotalDerivative { of, by } => Choice {
                 place: format!("the derivative of `{of}` by `{by}`"),
                 meanings: [
                     "the other arguments held fixed".to_owned(),
@@ -204,7 +206,7 @@ impl DoubtKind {
         Some(choice)
     }
 
-    /// What was taken where the notation has another meaning too, as the column `reading` says it.
+    /// The meaning that was taken where the notation has another too, as the column `reading` says it.
     pub fn taken(&self) -> Option<String> {
         let Choice {
             place,

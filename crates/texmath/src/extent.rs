@@ -1,14 +1,14 @@
-//! How far an argument without brackets and a divisor reach: the readings of a term.
+//! The extent of arguments without brackets and of divisors: the readings of a term.
 
 use super::command::ABSOLUTE;
 use super::elementary::Elementary;
 use super::part::{is_differential, product};
 use super::{At, DoubtKind, Name, OtherReading, Tree};
 
-/// What may belong to the argument before it.
+/// A factor that may belong to the argument or divisor before it.
 #[derive(Clone, Copy)]
 pub(super) struct Belongs {
-    /// Whether it is usually taken as a factor.
+    /// True if it is usually taken as a factor.
     pub is_usual: bool,
 }
 

@@ -654,7 +654,6 @@ impl<'a> Reader<'a> {
         }
         self.close_brace(above)?;
         let is_bracketed = matches!(self.peek_kind(), Some(Kind::Open(_)));
-        let is_total = !shape.is_partial;
         let is_operator = of.is_none() && !is_bracketed;
         let of = match of {
             Some(of) => of,
@@ -662,9 +661,11 @@ impl<'a> Reader<'a> {
         };
         let first = letters.first().filter(|_| is_operator);
         self.derivative = first.map(|(by, _)| (self.next, by.clone()));
-        if is_total && let Some(name) = self.names.several_in(&of) {
+        if !shape.is_partial
+            && let Some(name) = self.names.several_in(&of)
+        {
             let by = letters.first().map_or_else(Name::default, |(by, _)| by.clone());
-            self.doubt(at, DoubtKind::Held { of: name, by });
+            self.doubt(at, DoubtKind::TotalDerivative { of: name, by });
         }
         let is_doubtful = letters.iter().any(|(by, _)| self.may_be_taken_later(&of, by));
         let derived = |of: Tree, (by, order): (Name, u32)| {
@@ -894,16 +895,14 @@ impl<'a> Reader<'a> {
                 _ => return None,
             },
             Tree::Partial { of, by, at } if self.names.is_defined(of) => {
-                let [of, value] = [of, by].map(|name| Tree::Symbol(name.clone(), *at));
-                let (by, order) = (by.clone(), 1);
-                let at = *at;
+                let [function, value] = [of, by].map(|name| Tree::Symbol(name.clone(), *at));
                 let derivative = Operation::Derivative {
-                    of,
+                    of: function,
                     by: by.clone(),
-                    order,
+                    order: 1,
                     at: value,
                 };
-                (Tree::Operation(Box::new(derivative), at), by)
+                (*boxed(derivative, at.0), by.clone())
             }
             _ => return None,
         };

@@ -4,7 +4,7 @@ use super::error::Fault;
 use super::token::{Kind, Token};
 use super::{Name, Tree};
 
-/// What stands for the differential of an integral while the integrand is read.
+/// The symbol in the place of the differential of an integral while the integrand is read.
 pub(super) const DIFFERENTIAL: &str = "\\differential";
 
 pub(super) fn is_differential(tree: &Tree) -> bool {

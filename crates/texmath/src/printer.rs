@@ -159,7 +159,7 @@ fn may_call(tree: &Tree) -> bool {
     }
 }
 
-/// Whether a script stands behind it without brackets.
+/// Returns true if a script stands behind it without brackets.
 fn is_bare(tree: &Tree) -> bool {
     match tree {
         Tree::Symbol(name, _) => name.mark.is_empty() && name.primes == 0,

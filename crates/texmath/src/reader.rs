@@ -1,5 +1,5 @@
-//! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, reading
-//! fails and says what to write instead; nothing is guessed.
+//! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, one meaning is taken and the others are
+//! noted, or reading fails and says what to write instead.
 
 use super::error::{Fault, Reason};
 use super::extent::{Belongs, Extents};
@@ -108,7 +108,7 @@ impl<'a> Reader<'a> {
         self.doubts.push(Doubt { kind, at: At(at) });
     }
 
-    /// Refuses what may belong to an argument or a divisor before it, or not: where nothing is decided in both readings.
+    /// Refuses a term with several readings none of which is usual, where it is not decided in each of them.
     pub(super) fn has_one_extent(&self) -> Result<(), Fault> {
         let open = self.doubts.iter().find_map(|doubt| match &doubt.kind {
             DoubtKind::Extent {

@@ -115,7 +115,7 @@ pub enum Tree {
 /// Matrices, derivatives, integrals, finite sums and products, values by cases.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// What stands between the brackets of a function of several arguments: two or more.
+    /// The formulas between the brackets of a function of several arguments: two or more.
     Arguments(Vec<Tree>),
     /// Rows of equal length, one or more.
     Matrix(Vec<Vec<Tree>>),

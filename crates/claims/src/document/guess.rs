@@ -3,6 +3,7 @@
 use super::super::check::check;
 use super::super::entry::{Entry, RawEntry, Role, Standing};
 use super::super::fault::{Fault, Text};
+use super::super::function::are_different;
 use super::super::implication;
 use super::super::sheet::{RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
@@ -461,14 +462,13 @@ fn hidden_functions<'a>(
     // those that are met before an equation that looks like their definition
     let (mut met, mut early) = (BTreeSet::new(), BTreeSet::new());
     for equation in equations.clone() {
-        if let Tree::Call(name, ..) = &equation.left
-            && given.contains(name)
+        if let Tree::Call(name, argument, _) = &equation.left
             && equation.relation == Relation::Equal
+            && given.contains(name)
+            && met.contains(name)
+            && argument.arguments().iter().all(|own| matches!(own, Tree::Symbol(..)))
         {
-            let is_definition = |own: &Tree| matches!(own, Tree::Symbol(..));
-            let is_first =
-                matches!(&equation.left, Tree::Call(_, argument, _) if argument.arguments().iter().all(is_definition));
-            early.extend((is_first && met.contains(name)).then(|| name.clone()));
+            early.insert(name.clone());
         }
         met.extend(names_of([equation]));
         any_side(equation, &mut |node| {
@@ -524,9 +524,8 @@ impl Guess {
         let (mut count, mut several): (HashMap<Name, usize>, Vec<Name>) = Default::default();
         for (name, arguments) in given {
             let is_letter = |argument: &Name| *argument == Name::plain(&argument.base) && !is_constant(argument);
-            let are_different = arguments.iter().collect::<BTreeSet<_>>().len() == arguments.len();
             several.extend((arguments.len() > 1).then(|| name.clone()));
-            let may_be_given = are_different && arguments.iter().all(is_letter);
+            let may_be_given = are_different(&arguments) && arguments.iter().all(is_letter);
             *count.entry(name).or_default() += if may_be_given { 1 } else { 2 };
         }
         // what is given twice is a value each time

@@ -34,7 +34,7 @@ pub(super) fn unquoted(text: &str) -> Cow<'_, str> {
     Cow::Owned(written)
 }
 
-/// What opens and closes displays, beside dollars.
+/// The signs that open and close displays, beside dollars.
 const DISPLAYS: [[&str; 2]; 5] = [
     [r"\[", r"\]"],
     [r"\begin{equation", r"\end{equation"],
