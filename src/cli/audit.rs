@@ -1,10 +1,11 @@
 //! `vibro-audit audit [SHEET ...] [--explain LABEL] [--effort N] [--template]`.
 
 use super::decide::{decide, decide_sheet};
+use super::document::{self, Form};
 use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
 use super::verdicts::{Audited, Row, Unusable, answer, compare, exit, explained};
-use super::{Answer, Content, Exit, Failure, Options, Source, document};
+use super::{Answer, Content, Exit, Failure, Options, Source};
 use crate::claim::{self, Document, Fault, Sheet};
 use crate::prove;
 use crate::reference::Outcome;
@@ -19,9 +20,12 @@ use std::path::Path;
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = PROMISES)]
 pub struct Arguments {
-    /// Sheets (TOML), documents (.tex, .md) or `-` for stdin [default: the paper's equations]
+    /// Sheets (TOML), documents (.tex, .md, .qmd, .ipynb) or `-` for stdin [default: the paper's equations]
     #[arg(value_name = "SHEET")]
     sheets: Vec<Source>,
+    /// Read stdin as if it were this file, which need not exist: its ending, and where what it includes lies
+    #[arg(long, value_name = "FILE", requires = "sheets")]
+    stdin_name: Option<std::path::PathBuf>,
     /// Print the proof or the counterexample of one equation
     #[arg(long, value_name = "LABEL")]
     explain: Option<String>,
@@ -80,16 +84,17 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         });
     }
     arguments.refuse_for_several(global)?;
+    let sheets = arguments.sources()?;
     let symbols = claim::vocabulary().map_err(|fault| in_sheet(PAPER, fault))?;
     let options = prove::Options {
         effort: arguments.effort,
     };
-    if let (Some(label), [] | [_]) = (&arguments.explain, arguments.sheets.as_slice()) {
-        let read = Read::new(arguments.sheets.first(), &symbols)?;
+    if let (Some(label), [] | [_]) = (&arguments.explain, sheets.as_slice()) {
+        let read = Read::new(sheets.first(), &symbols)?;
         return explain(&read.sheet, label, &options, arguments.repair).map_err(|fault| in_sheet(&read.name, fault));
     }
-    if let (true, [source]) = (arguments.draft, arguments.sheets.as_slice()) {
-        let document = document::read(source)?.ok_or_else(|| Failure::NoDocument(source.name()))?;
+    if let (true, [source]) = (arguments.draft, sheets.as_slice()) {
+        let (document, _) = document::read(source)?.ok_or_else(|| Failure::NoDocument(source.name()))?;
         document::tell(&document, &source.name());
         return Ok(Answer {
             content: Content::Text(document.draft(&source.name())),
@@ -102,8 +107,8 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
     let baseline = arguments.baseline.as_ref().map(known).transpose()?;
     let (mut all, mut unusable, mut worst) = (Vec::new(), Vec::new(), Exit::AsExpected);
     // a report for machines says what cannot be read, and of several files the others are decided all the same
-    let goes_on = arguments.sheets.len() > 1 || matches!(global.format, Format::Junit | Format::Sarif);
-    let sources = match arguments.sheets.as_slice() {
+    let goes_on = sheets.len() > 1 || matches!(global.format, Format::Junit | Format::Sarif);
+    let sources = match sheets.as_slice() {
         [] => vec![None],
         sheets => sheets.iter().map(Some).collect(),
     };
@@ -138,7 +143,7 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         }
     }
     let all: Vec<Audited> = all.into_iter().map(|(audited, _)| audited).collect();
-    answer(&all, &unusable, arguments.sheets.len() > 1, worst, &options, global)
+    answer(&all, &unusable, sheets.len() > 1, worst, &options, global)
 }
 
 /// How errors name the built-in sheet.
@@ -156,6 +161,7 @@ struct Read {
     name: String,
     sheet: Sheet,
     document: Option<Document>,
+    text: String,
 }
 
 impl Read {
@@ -171,7 +177,7 @@ impl Read {
                 }
             }
             Some(source) => match document::read(source)? {
-                Some(document) => (Some(document), String::new()),
+                Some((document, text)) => (Some(document), text),
                 None => (None, source.read(TOML_AT_MOST)?),
             },
         };
@@ -185,17 +191,39 @@ impl Read {
             None => Sheet::read(&text, symbols),
         };
         let sheet = sheet.map_err(|fault| in_sheet(&name, fault))?;
-        Ok(Self { name, sheet, document })
+        Ok(Self {
+            name,
+            sheet,
+            document,
+            text,
+        })
     }
 }
 
 impl Arguments {
+    /// Where the input comes from; stdin has the name that is given for it.
+    fn sources(&self) -> Result<Vec<Source>, Failure> {
+        let Some(name) = &self.stdin_name else {
+            return Ok(self.sheets.clone());
+        };
+        if !self.sheets.iter().any(Source::is_stdin) {
+            return Err(Failure::Usage(
+                "--stdin-name names `-`, which is not among the input".to_owned(),
+            ));
+        }
+        let named = |source: &Source| match source {
+            Source::Stdin => Source::InPlaceOf(name.clone()),
+            source => source.clone(),
+        };
+        Ok(self.sheets.iter().map(named).collect())
+    }
+
     /// Refuses what is of one file where several are named.
     fn refuse_for_several(&self, global: &Options) -> Result<(), Failure> {
         if self.sheets.len() < 2 {
             return Ok(());
         }
-        if self.sheets.iter().filter(|source| **source == Source::Stdin).count() > 1 {
+        if self.sheets.iter().filter(|source| source.is_stdin()).count() > 1 {
             return Err(Failure::Usage(
                 "`-` is stdin, which is read once: name it once".to_owned(),
             ));
@@ -225,13 +253,18 @@ impl Arguments {
     ) -> Result<(Audited, Option<Document>), Failure> {
         let options = prove::Options { effort: self.effort };
         let mended = global.beside(self.repair_into.as_ref())?;
-        let Read { name, sheet, document } = Read::new(source, symbols)?;
+        let Read {
+            name,
+            sheet,
+            document,
+            text,
+        } = Read::new(source, symbols)?;
         if let Some(directory) = &self.proof {
             write_proofs(&sheet, directory, &options)?;
         }
         let rows = decide_sheet(&sheet, &name, &options, self.repair || mended.is_some())?;
         if let Some(mended) = &mended {
-            let text = with_repairs(source, &name, &sheet, symbols, &rows)?;
+            let text = with_repairs(source, &name, &text, &sheet, symbols, &rows)?;
             mended.write(|to| to.write_all(text.as_bytes()))?;
         }
         let audited = Audited {
@@ -297,19 +330,16 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
 fn with_repairs(
     source: Option<&Source>,
     name: &str,
+    text: &str,
     sheet: &Sheet,
     symbols: &Symbols,
     rows: &[Row],
 ) -> Result<String, Failure> {
-    let is_document = source.is_some_and(|source| document::markup(source).is_some());
-    let text = match source {
-        Some(source) => source.read(if is_document { DOCUMENT_AT_MOST } else { TOML_AT_MOST })?,
-        None => claim::EQUATIONS.to_owned(),
-    };
+    let is_document = source.and_then(Form::of).is_some();
     let read = |text: &str| -> Option<mended::Content> {
         match source.filter(|_| is_document) {
             Some(source) => {
-                let sheet = document::of_text(source, text)?.sheet(symbols).ok()?;
+                let sheet = document::of_text(source, text).ok()??.sheet(symbols).ok()?;
                 let entries = sheet.entries.into_iter();
                 // a label of its own is the line of the formula, which a comment before it changes
                 Some(mended::Content::Document(entries.map(|entry| entry.tex.tex).collect()))
@@ -321,7 +351,7 @@ fn with_repairs(
     let comment = Comment::of(name);
     let said = repaired.filter_map(|(position, row)| mended::said(sheet, position, row.repairs().first()?, comment));
     let said: Vec<mended::Said> = said.collect();
-    mended::with_comments(&text, comment, said, &read).map_err(|label| Failure::NoPlace {
+    mended::with_comments(text, comment, said, &read).map_err(|label| Failure::NoPlace {
         name: name.to_owned(),
         label,
     })

@@ -1,23 +1,23 @@
 //! Documents as `audit` reads them: the files that they include, the numbers that they print.
 
 use super::files::Files;
-use super::source::DOCUMENT_AT_MOST;
+use super::source::{DOCUMENT_AT_MOST, NOTEBOOK_AT_MOST};
 use super::verdicts::Unusable;
-use super::{Failure, Options, Source, golden, note};
+use super::{Failure, Options, Source, golden, note, notebook};
 use crate::claim::{Document, Fault, Markup, PrintedNumber};
 use crate::reference::{self, Directory, Outcome, PRINTED_COLUMNS, Printed};
 use std::path::Path;
 
-/// The document in a file whose name says that it is one.
+/// The document in a file whose name says that it is one, and its text.
 ///
 /// # Errors
 /// A file that cannot be read.
-pub fn read(source: &Source) -> Result<Option<Document>, Failure> {
-    if markup(source).is_none() {
+pub fn read(source: &Source) -> Result<Option<(Document, String)>, Failure> {
+    let Some(form) = Form::of(source) else {
         return Ok(None);
-    }
-    let text = source.read_document(DOCUMENT_AT_MOST)?;
-    Ok(of_text(source, &text))
+    };
+    let text = source.read_document(form.most())?;
+    Ok(of_text(source, &text)?.map(|document| (document, text)))
 }
 
 /// Returns the document that stdin has, if it looks like TeX or Markdown and not like a sheet.
@@ -35,24 +35,59 @@ pub fn of_stdin(text: &str) -> Option<Document> {
     Some(with_files(text, markup, &Files::around(Path::new("./stdin"), text)))
 }
 
-/// Returns how the document in a file is written; `None` where its name is that of no document.
-pub fn markup(source: &Source) -> Option<Markup> {
-    let Source::File(path) = source else {
-        return None;
-    };
-    match path.extension().and_then(|extension| extension.to_str()) {
-        Some("tex" | "ltx") => Some(Markup::Tex),
-        Some("md" | "markdown") => Some(Markup::Markdown),
-        _ => None,
+/// How a document is written, as the ending of its name says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// LaTeX.
+    Tex,
+    /// Markdown, also that of Quarto and R.
+    Markdown,
+    /// A Jupyter notebook, of which the Markdown cells are read.
+    Notebook,
+}
+
+impl Form {
+    /// Returns how the document in a file is written; `None` where its name is that of no document.
+    pub fn of(source: &Source) -> Option<Self> {
+        Self::of_path(source.path()?)
+    }
+
+    /// Returns how the document at a path is written; `None` where its name is that of no document.
+    pub fn of_path(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "tex" | "ltx" => Some(Self::Tex),
+            "md" | "markdown" | "qmd" | "rmd" => Some(Self::Markdown),
+            "ipynb" => Some(Self::Notebook),
+            _ => None,
+        }
+    }
+
+    /// The longest that is read, in MB.
+    pub fn most(self) -> u64 {
+        match self {
+            Self::Tex | Self::Markdown => DOCUMENT_AT_MOST,
+            Self::Notebook => NOTEBOOK_AT_MOST,
+        }
     }
 }
 
-/// Returns the document that a text is in the place of a file.
-pub fn of_text(source: &Source, text: &str) -> Option<Document> {
-    let (markup, Source::File(path)) = (markup(source)?, source) else {
-        return None;
+/// Returns the document that a text is in the place of a file, if the name is that of a document.
+///
+/// # Errors
+/// A notebook that is none.
+pub fn of_text(source: &Source, text: &str) -> Result<Option<Document>, Failure> {
+    let (Some(form), Some(path)) = (Form::of(source), source.path()) else {
+        return Ok(None);
     };
-    Some(with_files(text, markup, &Files::around(path, text)))
+    let read = |text: &str, markup| with_files(text, markup, &Files::around(path, text));
+    Ok(Some(match form {
+        Form::Tex => read(text, Markup::Tex),
+        Form::Markdown => read(text, Markup::Markdown),
+        Form::Notebook => {
+            let cells = notebook::markdown(text).map_err(|problem| Failure::Notebook(source.name(), problem))?;
+            read(&cells, Markup::Markdown)
+        }
+    }))
 }
 
 fn with_files(text: &str, markup: Markup, files: &Files) -> Document {
@@ -81,15 +116,15 @@ pub fn unusable(document: &Document, source: &Source) -> Vec<Unusable> {
 
 /// The path of a file that a document includes, or of the document.
 fn file_of(source: &Source, included: Option<&str>) -> String {
-    match (source, included) {
-        (Source::File(path), Some(name)) => path.with_file_name(name).display().to_string(),
+    match (source.path(), included) {
+        (Some(path), Some(name)) => path.with_file_name(name).display().to_string(),
         _ => source.name(),
     }
 }
 
 /// Checks the printed numbers. One that makes no sense is told, and stops no other.
 pub fn numbers(document: &Document, source: &Source, options: &Options) -> (Vec<Outcome>, Vec<Unusable>) {
-    let Source::File(path) = source else {
+    let Some(path) = source.path() else {
         return (Vec::new(), Vec::new());
     };
     let directory = Directory::At(super::files::directory(path));

@@ -34,8 +34,13 @@ pub enum Failure {
         fault: Box<crate::claim::Fault>,
     },
     /// A draft was asked for of what is no document.
-    #[error("{0}: --draft is of a document, a file whose name ends in .tex or .md; a sheet is one already")]
+    #[error(
+        "{0}: --draft is of a document, a file whose name ends in .tex, .md, .qmd or .ipynb; a sheet is one already"
+    )]
     NoDocument(String),
+    /// A notebook that cannot be read.
+    #[error("{0}: {1}")]
+    Notebook(String, String),
     /// A golden file cannot be used.
     #[error(transparent)]
     Golden(#[from] crate::reference::Fault),
@@ -165,6 +170,7 @@ impl Failure {
             }
             Self::NoPlace { name, .. }
             | Self::NoDocument(name)
+            | Self::Notebook(name, _)
             | Self::Baseline(name, _)
             | Self::NoReference(name)
             | Self::NothingDrawn(name) => (Some(name), None, None),

@@ -1,7 +1,9 @@
 //! A sheet or document written anew, with a repair as a comment before each formula that is refuted.
 
+use super::document::Form;
 use crate::claim::Sheet;
 use crate::repair::Repair;
+use std::path::Path;
 
 /// How a comment is written, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,15 +14,18 @@ pub enum Comment {
     Tex,
     /// `<!-- ... -->` before the display.
     Markdown,
+    /// The same, as a line of a cell.
+    Notebook,
 }
 
 impl Comment {
     /// That of a file with this name.
     pub fn of(name: &str) -> Self {
-        match name.rsplit_once('.').map(|(_, extension)| extension) {
-            Some("tex" | "ltx") => Self::Tex,
-            Some("md" | "markdown") => Self::Markdown,
-            _ => Self::Toml,
+        match Form::of_path(Path::new(name)) {
+            Some(Form::Tex) => Self::Tex,
+            Some(Form::Markdown) => Self::Markdown,
+            Some(Form::Notebook) => Self::Notebook,
+            None => Self::Toml,
         }
     }
 
@@ -29,6 +34,10 @@ impl Comment {
             Self::Toml => format!("# {said}"),
             Self::Tex => format!("% {said}"),
             Self::Markdown => format!("<!-- {} -->", said.replace("--", "- -")),
+            Self::Notebook => {
+                let line = format!("{}\n", Self::Markdown.write(said));
+                format!("{},", serde_json::Value::from(line))
+            }
         }
     }
 
@@ -36,7 +45,9 @@ impl Comment {
     fn opens(self, line: &str) -> bool {
         match self {
             Self::Toml | Self::Tex => true,
-            Self::Markdown => line.contains('$') || line.contains(r"\[") || line.trim_start().starts_with("```"),
+            Self::Markdown | Self::Notebook => {
+                line.contains('$') || line.contains(r"\[") || line.trim_start().starts_with("```")
+            }
         }
     }
 }

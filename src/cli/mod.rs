@@ -23,6 +23,7 @@ mod mended;
 mod merge;
 #[cfg(test)]
 mod modelled;
+mod notebook;
 mod optimise;
 mod options;
 mod orbits;
@@ -62,8 +63,10 @@ use crate::report::{Output, acts_on_a_terminal};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::parser::ValueSource;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use document::Form;
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::Path;
 
 /// The stack of the threads that decide formulas: what the deepest that are read need, in a build without optimisation too.
 pub const STACK: usize = 16 << 20;
@@ -287,7 +290,7 @@ fn advised(error: &clap::Error) -> String {
         Some(ContextValue::String(subcommand)) => subcommand.as_str(),
         _ => "",
     };
-    let is_formulas = |name: &str| [".tex", ".md", ".toml"].iter().any(|ending| name.ends_with(ending));
+    let is_formulas = |name: &str| name.ends_with(".toml") || Form::of_path(Path::new(name)).is_some();
     let name = found.trim_start_matches('-');
     let name = name.split_once('=').map_or(name, |(name, _)| name);
     match error.kind() {

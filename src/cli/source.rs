@@ -6,7 +6,7 @@ use crate::report::{note_input, note_stdin};
 use crate::scene::find;
 use std::fs;
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// The longest sheet or scene that is read, in MB: TOML takes up to eighty times its length in memory.
@@ -14,6 +14,9 @@ pub const TOML_AT_MOST: u64 = 2;
 
 /// The longest document, and the longest file that it includes, in MB.
 pub const DOCUMENT_AT_MOST: u64 = 8;
+
+/// The longest notebook that is read, in MB: nearly all of a long one is the output of its code.
+pub const NOTEBOOK_AT_MOST: u64 = 64;
 
 /// The longest table of answers that is read, in MB.
 pub const ANSWERS_AT_MOST: u64 = 16;
@@ -23,6 +26,8 @@ pub const ANSWERS_AT_MOST: u64 = 16;
 pub enum Source {
     /// Standard input, named `-`.
     Stdin,
+    /// Standard input in the place of a file, whose name says what it is and where what it includes lies.
+    InPlaceOf(PathBuf),
     /// A file; one that is called `-` can be named `./-`.
     File(PathBuf),
 }
@@ -97,8 +102,21 @@ impl Source {
     pub fn name(&self) -> String {
         match self {
             Self::Stdin => caller::with_input(|input| input.name.clone()).unwrap_or_else(|| "stdin".to_owned()),
-            Self::File(path) => path.display().to_string(),
+            Self::File(path) | Self::InPlaceOf(path) => path.display().to_string(),
         }
+    }
+
+    /// The path of the file that it is, or stands for.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Stdin => None,
+            Self::File(path) | Self::InPlaceOf(path) => Some(path),
+        }
+    }
+
+    /// True of standard input.
+    pub fn is_stdin(&self) -> bool {
+        matches!(self, Self::Stdin | Self::InPlaceOf(_))
     }
 
     /// The whole text, of at most so many MB.
@@ -147,13 +165,15 @@ impl Source {
 
     fn bytes(&self, most: u64) -> Result<Vec<u8>, SourceProblem> {
         Ok(match self {
-            Self::Stdin => match caller::with_input(|input| limited(input.text.as_bytes(), most)) {
-                Some(given) => given?,
-                None => {
-                    note_stdin();
-                    limited(io::stdin().lock(), most)?
+            Self::Stdin | Self::InPlaceOf(_) => {
+                match caller::with_input(|input| limited(input.text.as_bytes(), most)) {
+                    Some(given) => given?,
+                    None => {
+                        note_stdin();
+                        limited(io::stdin().lock(), most)?
+                    }
                 }
-            },
+            }
             Self::File(path) => {
                 note_input(path);
                 limited(fs::File::open(path)?, most)?

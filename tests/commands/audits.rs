@@ -84,6 +84,91 @@ fn each_format_of_a_document_with_wrong_numbers_is_a_baseline_of_its_formulas() 
     }
 }
 
+/// A notebook as Jupyter writes it: a cell of code, then one with this text.
+fn notebook(text: &str) -> String {
+    let lines = |text: &str| text.split_inclusive('\n').map(str::to_owned).collect::<Vec<_>>();
+    let cells = serde_json::json!([
+        {"cell_type": "code", "execution_count": null, "outputs": [], "source": lines("print('$$ 1 = 2 $$')\n")},
+        {"cell_type": "markdown", "source": lines(text)},
+    ]);
+    let all = serde_json::json!({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5});
+    format!("{all:#}\n")
+}
+
+#[test]
+fn notebooks_and_quarto_documents_are_read_as_markdown_with_the_lines_of_the_file() {
+    let text =
+        "---\ntitle: Fall\n---\n\n$$ (a+b)^2 = a^2 + b^2 $$ {#eq-square}\n\n<!-- audit: claim -->\n$$ 2 a = a + a $$\n";
+    let claim = format!(
+        "<!-- audit: symbols a, b; claim; expect refuted -->\n{}",
+        text.replace("---", "***")
+    );
+    let scratch = scratch("kinds");
+    for (name, text) in [
+        ("notes.qmd", text.to_owned()),
+        ("notes.Rmd", text.to_owned()),
+        ("notes.ipynb", notebook(text)),
+    ] {
+        scratch.file(name, &text);
+        let rows = json(&scratch.run(&["audit", name, "--format", "json"]));
+        let line = |formula: &str| 1 + text.lines().position(|line| line.contains(formula)).unwrap();
+        let found = |row: usize| {
+            rows[row]["place"]
+                .as_str()
+                .unwrap()
+                .split(':')
+                .next()
+                .unwrap()
+                .parse::<usize>()
+        };
+        assert_eq!(rows.as_array().unwrap().len(), 2, "{name}: {rows}");
+        assert_eq!(rows[0]["label"], "eq-square", "{name}");
+        assert_eq!(
+            (found(0), found(1)),
+            (Ok(line("(a+b)^2")), Ok(line("2 a = a + a"))),
+            "{name}: {rows}"
+        );
+        assert_eq!(rows[1]["verdict"], "proved", "{name}");
+    }
+    // a repair is a comment in the cell, which changes no verdict
+    scratch.file("claim.ipynb", &notebook(&claim));
+    let ran = scratch.run(&["audit", "claim.ipynb", "--repair-into", "mended.ipynb"]);
+    assert_eq!(ran.status, Some(0), "{}", ran.stderr);
+    let mended = std::fs::read_to_string(scratch.path("mended.ipynb")).unwrap();
+    let cells: serde_json::Value = serde_json::from_str(&mended).expect("still a notebook");
+    let cell = cells["cells"][1]["source"].to_string();
+    assert!(cell.contains("<!-- repair of (eq-square)"), "{cell}");
+    assert_eq!(scratch.run(&["audit", "mended.ipynb"]).status, Some(0));
+    // what is no notebook is no panic and no empty pass
+    scratch.file("broken.ipynb", "{\"cells\": 1}");
+    let ran = scratch.run(&["audit", "broken.ipynb"]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("broken.ipynb: no notebook"), "{}", ran.stderr);
+}
+
+#[test]
+fn standard_input_has_the_name_and_the_neighbours_of_the_file_it_stands_for() {
+    let scratch = scratch("stdin");
+    std::fs::create_dir_all(scratch.path("part")).unwrap();
+    scratch.file("part/macros.tex", "\\newcommand{\\both}{a + b}\n");
+    let text = "\\input{macros}\n$$ \\both = b + a $$\n";
+    let named = ["audit", "-", "--stdin-name", "part/paper.tex", "--format", "json"];
+    let ran = program(named).within(scratch.path("")).input(text).run();
+    let row = &json(&ran)[0];
+    assert_eq!(
+        (&row["file"], &row["verdict"]),
+        (&"part/paper.tex".into(), &"proved".into()),
+        "{}",
+        ran.stderr
+    );
+    // no form is guessed where the name says it
+    let sheet = ["audit", "-", "--stdin-name", "sheet.toml"];
+    assert_eq!(program(sheet).input(SHEET).run().status, Some(0));
+    let without = scratch.run(&["audit", "part/macros.tex", "--stdin-name", "paper.tex"]);
+    assert_eq!(without.status, Some(2));
+    assert!(without.stderr.contains("--stdin-name names `-`"), "{}", without.stderr);
+}
+
 #[test]
 fn several_files_are_one_table_with_the_worst_status() {
     let scratch = scratch("several");

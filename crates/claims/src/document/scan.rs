@@ -707,7 +707,13 @@ impl<'a> Scan<'a> {
                 return start;
             }
             if is_display {
+                let first = self.formulas.len();
                 self.display(body, Numbers::None, "$$");
+                let label = self.text.get(found + sign.len()..).and_then(label_behind);
+                let label = label.filter(|_| self.markup == Markup::Markdown).map(str::to_owned);
+                if let Some(formula) = self.formulas.get_mut(first) {
+                    formula.labels.extend(label);
+                }
             } else {
                 self.aside(here, body);
             }
@@ -1392,4 +1398,15 @@ fn has_empty_line(text: &str) -> bool {
     let lines: Vec<&str> = text.split('\n').collect();
     let inner = lines.get(1..lines.len().saturating_sub(1)).unwrap_or_default();
     inner.iter().any(|line| line.trim().is_empty())
+}
+
+/// The label that Quarto and pandoc-crossref, `$$ {#eq-law}`, and MyST, `$$ (law)`, have behind a display of Markdown.
+fn label_behind(rest: &str) -> Option<&str> {
+    let line = rest.lines().next()?.trim();
+    let label = match line.strip_prefix("{#") {
+        Some(attributes) => attributes.strip_suffix('}')?.split_whitespace().next()?,
+        None => line.strip_prefix('(')?.strip_suffix(')')?,
+    };
+    let is_of_a_label = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | ':' | '.');
+    (!label.is_empty() && label.chars().all(is_of_a_label)).then_some(label)
 }
