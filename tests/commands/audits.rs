@@ -154,13 +154,8 @@ fn standard_input_has_the_name_and_the_neighbours_of_the_file_it_stands_for() {
     let text = "\\input{macros}\n$$ \\both = b + a $$\n";
     let named = ["audit", "-", "--stdin-name", "part/paper.tex", "--format", "json"];
     let ran = program(named).within(scratch.path("")).input(text).run();
-    let row = &json(&ran)[0];
-    assert_eq!(
-        (&row["file"], &row["verdict"]),
-        (&"part/paper.tex".into(), &"proved".into()),
-        "{}",
-        ran.stderr
-    );
+    assert_eq!(json(&ran)[0]["verdict"], "proved", "{}", ran.stderr);
+    assert!(ran.stderr.contains("part/paper.tex: "), "{}", ran.stderr);
     // no form is guessed where the name says it
     let sheet = ["audit", "-", "--stdin-name", "sheet.toml"];
     assert_eq!(program(sheet).input(SHEET).run().status, Some(0));

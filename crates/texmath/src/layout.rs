@@ -379,7 +379,7 @@ impl<'a> Writer<'a, '_> {
     /// Writes what stands at a byte, and returns where it ends.
     fn step(&mut self, at: usize, end: usize, depth: usize) -> usize {
         let next = self.token_end(at).min(end);
-        if let Some((close, written)) = self.derivative(at, end) {
+        if let Some((close, written)) = self.derivative(at, end).or_else(|| self.imaginary_root(at, end)) {
             self.write(&written, at);
             return close;
         }
@@ -509,15 +509,25 @@ impl<'a> Writer<'a, '_> {
         };
         let (is_partial, of, order) = sign(above)?;
         let (is_same, by, _) = sign(below)?;
-        let of = self.after_spaces(of, above.1);
+        let (mut of, mut of_end) = (self.after_spaces(of, above.1), above.1);
+        // braces around the whole name
+        while let Some(close) = self.closing.get(of).copied().flatten().filter(|close| *close < of_end)
+            && self.byte(of) == b'{'
+            && self.slice(close + 1, of_end).trim().is_empty()
+        {
+            (of, of_end) = (self.after_spaces(of + 1, close), close);
+        }
         let by = self.after_spaces(by, below.1);
-        let name = self.slice(of, self.scripts_end(self.name_end(of, above.1)?, above.1, false));
+        let name = self.slice(of, self.scripts_end(self.name_end(of, of_end)?, of_end, false));
         let end_of_letter = self.scripts_end(self.name_end(by, below.1)?, below.1, false);
         let letter = self.slice(by, end_of_letter);
         let power = self.slice(end_of_letter, below.1).trim();
-        let is_whole = of + name.len() == above.1 - trailing_blanks(self.slice(of, above.1));
+        let is_whole = of + name.len() == of_end - trailing_blanks(self.slice(of, of_end));
         let is_function = |known: &Name| bare(&known.to_string()) == bare(name);
         let is_known = self.names.functions.iter().chain(&self.names.defined).any(is_function);
+        if is_partial == is_same && is_whole && power.is_empty() && order.is_empty() && bare(name) == bare(letter) {
+            return Some((above.1.max(below.1) + 1, "{1}".to_owned()));
+        }
         if is_partial != is_same || !is_whole || power.trim() != order.trim() || is_known || letter.is_empty() {
             return None;
         }
@@ -567,6 +577,9 @@ impl<'a> Writer<'a, '_> {
             if let Some(behind) = self.name_end(letter, end) {
                 return Some(behind);
             }
+        }
+        if let Some(behind) = self.differential(at, end) {
+            return Some(behind);
         }
         let name_end = self.name_end(at, end)?;
         let name = self.slice(at, name_end);
@@ -642,6 +655,36 @@ impl<'a> Writer<'a, '_> {
             Some(operand) => Some(self.scripts_end(operand, end, true)),
             None => self.term_end(open, end).filter(|close| *close > open),
         }
+    }
+
+    /// Returns the end of a differential `\mathrm{d}T` that starts at a byte, which is one name, as in `\mathrm{d}s = c \mathrm{d}T/T`:
+    /// in a formula without integrals and derivatives.
+    fn differential(&self, at: usize, end: usize) -> Option<usize> {
+        let sign = [r"\mathrm{d}", r"\mathrm d"]
+            .into_iter()
+            .find(|sign| self.slice(at, end).starts_with(sign))?;
+        let others = [
+            r"\int",
+            r"\partial",
+            r"}{\mathrm{d}",
+            r"}{\mathrm d",
+            r"/\mathrm{d}",
+            r"/\mathrm d",
+        ];
+        if others.iter().any(|other| self.source.contains(other)) {
+            return None;
+        }
+        self.name_end(self.after_spaces(at + sign.len(), end), end)
+    }
+
+    /// Returns the end of the root of a negative number that starts at a byte, and the root as a multiple of the imaginary unit.
+    fn imaginary_root(&self, at: usize, end: usize) -> Option<(usize, String)> {
+        self.names.opaque.as_ref()?;
+        let inside = self.slice(at, end).strip_prefix(r"\sqrt{-")?;
+        let number = inside.get(..inside.find('}')?)?;
+        let is_number = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit());
+        let close = at + r"\sqrt{-".len() + number.len() + 1;
+        is_number.then(|| (close, format!(r"{{\mathrm{{i}}\sqrt{{{number}}}}}")))
     }
 
     /// Returns true for the name of a function that a definition gives, perhaps with primes.
@@ -835,7 +878,18 @@ impl<'a> Writer<'a, '_> {
                     false => return None,
                 };
                 let label = label.first().copied().flatten()?;
-                let own = names(self.slice(label.start, label.end))?;
+                let label = self.slice(label.start, label.end);
+                let own = names(label);
+                // within a document a label names what it stands at, or says what that is; but `= 0` says more
+                let is_name = own.as_ref().is_some_and(|own| own.len() == 1);
+                if self.names.opaque.is_some() && !is_name && is_description(label) {
+                    self.is_changed = true;
+                    self.write("{", at);
+                    self.inside(last?, depth);
+                    self.write("}", after);
+                    return Some(after);
+                }
+                let own = own?;
                 let outside = [self.slice(0, script), self.slice(after, self.source.len())];
                 let is_elsewhere = |name: &&str| {
                     outside
@@ -948,6 +1002,16 @@ impl<'a> Writer<'a, '_> {
         }
         None
     }
+}
+
+/// Returns true if a label at a brace states nothing of its own: it holds a letter, and no relation or arrow.
+fn is_description(label: &str) -> bool {
+    let has_letter = label.contains(|c: char| c.is_alphabetic());
+    let states = |sign: &&str| label.contains(*sign);
+    let arrows = [
+        r"\to", r"arrow", r"\approx", r"\equiv", r"\le", r"\ge", r"\ne", r"\propto", r"\sim",
+    ];
+    has_letter && !label.contains(['=', '<', '>']) && !arrows.iter().any(states)
 }
 
 /// Returns true if what stands above a relation refers to something, or says that it is asked for or a definition: a letter

@@ -407,8 +407,14 @@ impl<'a> Lexer<'a> {
                 self.font(end)
             }
             Command::Glue => {
-                self.at = end + glue_length(self.span(end, self.tex.len()));
-                self.push_as(Kind::Quad, text, at, self.at)
+                let behind = end + glue_length(self.span(end, self.tex.len()));
+                match glue_width(self.span(end, behind)) {
+                    Some(width) => self.blank(width, behind),
+                    None => {
+                        self.at = behind;
+                        self.push_as(Kind::Quad, text, at, behind)
+                    }
+                }
             }
             Command::Class => {
                 let inside = self.skip_group(end)?;
@@ -768,6 +774,26 @@ fn glue_length(rest: &str) -> usize {
             return length;
         }
     }
+}
+
+/// The width of a dimension in mu, of which a quad has 18; none where it is wide or stretches without end.
+fn glue_width(dimension: &str) -> Option<u32> {
+    let unit = dimension
+        .trim()
+        .trim_start_matches(|c: char| c.is_ascii_digit() || "+-. ".contains(c));
+    let mu = match unit.get(..2)? {
+        "mu" => 1.0,
+        "em" => 18.0,
+        "ex" => 8.0,
+        "pt" | "bp" => 1.8,
+        "mm" => 5.1,
+        "sp" => 0.0,
+        _ => return None,
+    };
+    let number = dimension.trim().split(unit).next()?.trim().parse::<f64>().ok()?;
+    let width = (number * mu).clamp(0.0, f64::from(WIDE));
+    // a whole number between 0 and WIDE
+    (width < f64::from(WIDE)).then_some(width as u32)
 }
 
 /// What the rows of the environment `name` mean; `None` for any other.

@@ -140,7 +140,15 @@ pub(super) struct Guess {
 /// Returns true if an equation holds a differential, or a derivative or integral of other letters than the one it is taken by;
 /// `is_value` says that the first letter has a value in terms of the second.
 fn has_dependence(equation: &Equation, is_value: &dyn Fn(&Name, &Name) -> bool) -> bool {
-    let is_d = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.to_string() == "d");
+    // nobody takes the differential of a constant
+    let varies = |tree: &Tree| {
+        any(
+            tree,
+            &mut |node| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if !is_constant(name)),
+        )
+    };
+    let is_differential =
+        |pair: &[Tree]| matches!(pair, [Tree::Symbol(name, _), of] if name.to_string() == "d" && varies(of));
     let mut depends = |node: &Tree| match node {
         Tree::Operation(operation, _) => match &**operation {
             Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } => {
@@ -157,7 +165,7 @@ fn has_dependence(equation: &Equation, is_value: &dyn Fn(&Name, &Name) -> bool) 
             }
             _ => false,
         },
-        Tree::Product(factors) => factors.iter().rev().skip(1).any(is_d),
+        Tree::Product(factors) => factors.windows(2).any(is_differential),
         _ => false,
     };
     any_side(equation, &mut depends)
@@ -204,7 +212,7 @@ fn acts_on_a_letter(node: &Tree) -> bool {
 fn has_index_above(node: &Tree) -> bool {
     let is_greek = |part: &Tree| matches!(part, Tree::Symbol(name, _) if name.base.starts_with('\\'));
     // nobody writes the power 0 or 1
-    matches!(node, Tree::Power(of, 0 | 1, _) if matches!(**of, Tree::Symbol(..)))
+    matches!(node, Tree::Power(of, 0 | 1, _) if matches!(&**of, Tree::Symbol(name, _) if !is_constant(name)))
         || matches!(node, Tree::RealPower(of, exponent, _)
         if is_greek(of) && is_greek(exponent) && !is_sign_of_transpose(of, exponent))
 }
@@ -255,6 +263,18 @@ impl Constants {
     fn is_doubtful(&self, node: &Tree) -> bool {
         (Self::is_letter(node, "e") && !self.e) || (Self::is_letter(node, "i") && (!self.i || self.i_is_index))
     }
+}
+
+/// Returns true if a formula prints an upright i as a factor, or the root of a negative number.
+fn prints_unit(tex: &str) -> bool {
+    let upright = tex.match_indices(r"\mathrm{i}").filter_map(|(at, _)| tex.get(..at));
+    let roots = tex
+        .match_indices(r"\sqrt{-")
+        .filter_map(|(at, sign)| tex.get(at + sign.len()..));
+    upright.map(str::trim_end).any(|before| !before.ends_with(['_', '{']))
+        || roots
+            .map(str::bytes)
+            .any(|mut inside| inside.next().is_some_and(|byte| byte.is_ascii_digit()))
 }
 
 /// Returns true if a letter is the index of each sum of an equation that it stands in, and stands nowhere else.
@@ -574,7 +594,11 @@ impl Guess {
         };
         let differentiated = differentiated(read.iter().flatten());
         let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
-        let mut constants = Constants::default();
+        let mut texts = formulas.iter().filter_map(|formula| formula.tex.as_deref().ok());
+        let mut constants = Constants {
+            i: texts.any(prints_unit),
+            ..Constants::default()
+        };
         for equation in read.iter().flatten() {
             constants.read(equation);
             let mut names = BTreeSet::new();

@@ -275,14 +275,17 @@ impl Marks {
             }
             letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
             letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
-            // one letter in bold is a name of its own
+            // one letter in bold is a name of its own; a matrix may lose its bold, while v beside a bold v is its length
             let printed = letters(tex, &bold).into_iter();
             letters_of_matrices.extend(
                 printed
-                    .filter(|(_, shape)| shape.starts_with(r"\mathbf"))
+                    .filter(|(letter, shape)| {
+                        shape.starts_with(r"\mathbf") && !letter.starts_with(|c: char| c.is_ascii_lowercase())
+                    })
                     .map(|(letter, _)| letter.to_owned()),
             );
         }
+        let texts = formulas.clone().map(|(tex, _)| tex);
         letters_of_matrices.append(&mut members.operators);
         letters_of_complex.append(&mut members.complex);
         let equations: Vec<&Equation> = formulas.flat_map(|(_, equations)| equations).collect();
@@ -322,8 +325,26 @@ impl Marks {
                 });
             }
         }
-        marks.numbers = factors
-            .divisors
+        let prints_unit = || unit_is_number && texts.clone().any(contains_unit);
+        let is_of_complex = |node: &Tree| match node {
+            Tree::Product(factors) => has_conjugates(factors),
+            Tree::Call(name, ..) => name.base == r"\abs",
+            _ => false,
+        };
+        let has_modulus = || {
+            equations
+                .iter()
+                .any(|equation| any_side(equation, &mut |node| is_of_complex(node)))
+        };
+        if !(members.says_complex || !letters_of_complex.is_empty() || prints_unit() || has_modulus()) {
+            // a star and a bar are marks as any other
+            marks.complex.clear();
+        }
+        let mut numbers = factors.divisors;
+        let is_said = |name: &Name| letters_of_matrices.contains(&name.base);
+        numbers.extend(entries(&equations).into_iter().filter(|name| !is_said(name)));
+        extend_to_multiples(&mut numbers, &equations);
+        marks.numbers = numbers
             .into_iter()
             .filter(|name| !is_typographic(name))
             // who says that it is a matrix divides by another letter of the name
@@ -533,15 +554,7 @@ impl Marks {
                 if has_accent(name, &ARROWS) {
                     self.operators.insert(name.clone());
                 }
-                let mut plain = name.clone();
-                if plain.mark == "*" {
-                    plain.mark.clear();
-                } else if plain.accents.last().is_some_and(|accent| accent == r"\overline") {
-                    plain.accents.pop();
-                } else {
-                    return;
-                }
-                self.complex.insert(plain);
+                self.complex.extend(conjugated(name));
             }
             node if transposed(node).is_some() => {
                 if let Some(of) = transposed(node) {
@@ -834,6 +847,69 @@ impl Marks {
             doubts,
         }
     }
+}
+
+/// The small letters that are entries of matrices, where no entry may be a matrix or a vector itself.
+fn entries(equations: &[&Equation]) -> BTreeSet<Name> {
+    let mut found = BTreeSet::new();
+    let mut are_numbers = true;
+    for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+        any(side, &mut |node| {
+            if let Tree::Operation(operation, _) = node
+                && let Operation::Matrix(rows) = &**operation
+            {
+                let mut names = BTreeSet::new();
+                rows.iter().flatten().for_each(|entry| names_in(entry, &mut names));
+                let is_block = |entry: &Tree| any(entry, &mut |node| transposed(node).is_some());
+                are_numbers &= !rows.iter().flatten().any(is_block)
+                    && !names.iter().any(|name| is_capital(name) || is_typographic(name));
+                found.append(&mut names);
+            }
+            !are_numbers
+        });
+    }
+    found.retain(|name| are_numbers && name.base.starts_with(|c: char| c.is_ascii_lowercase()));
+    found
+}
+
+/// Adds the letters that an equation makes a multiple of one that is a number: `a = \frac{A}{2}`.
+fn extend_to_multiples(numbers: &mut BTreeSet<Name>, equations: &[&Equation]) {
+    let letter = |side: &Tree| match side {
+        Tree::Symbol(name, _) => Some(name.clone()),
+        Tree::Quotient(above, below, _) if matches!(&**below, Tree::Number(_)) => match &**above {
+            Tree::Symbol(name, _) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let pairs = equations
+        .iter()
+        .filter_map(|equation| Some((letter(&equation.left)?, letter(&equation.right)?)));
+    for (one, other) in pairs {
+        if numbers.contains(&one) || numbers.contains(&other) {
+            numbers.extend([one, other]);
+        }
+    }
+}
+
+/// The name of what a name with a star or a bar may be the conjugate of.
+fn conjugated(name: &Name) -> Option<Name> {
+    let mut plain = name.clone();
+    if plain.mark == "*" {
+        plain.mark.clear();
+    } else if plain.accents.last().is_some_and(|accent| accent == r"\overline") {
+        plain.accents.pop();
+    } else {
+        return None;
+    }
+    Some(plain)
+}
+
+/// Returns true if a letter is multiplied by its conjugate.
+fn has_conjugates(factors: &[Tree]) -> bool {
+    let mut names = factors.iter().filter_map(letter_of_power);
+    let is_factor = |plain: Name| factors.iter().filter_map(letter_of_power).any(|name| *name == plain);
+    names.any(|name| conjugated(name).is_some_and(is_factor))
 }
 
 /// Returns true if what holds of real numbers at this node may not hold of the marked letters in it.

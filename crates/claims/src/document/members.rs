@@ -25,6 +25,8 @@ pub(super) struct Members {
     pub says_more: bool,
     /// True if the text speaks of transposes.
     pub says_transposed: bool,
+    /// Whether the text speaks of complex numbers.
+    pub says_complex: bool,
     /// True if the text speaks of the identity.
     pub says_identity: bool,
     /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
@@ -96,6 +98,30 @@ const OF_VECTORS: [&str; 9] = [
 /// Words for matrices and nothing else.
 const MATRICES: [&str; 3] = ["matrix", "matrices", "Matrices"];
 
+/// Words of texts about complex numbers, without a first letter that may be a capital.
+const OF_COMPLEX_NUMBERS: [&str; 20] = [
+    "omplex number",
+    "omplex-valued",
+    "omplex valued",
+    "omplex conjuga",
+    "omplex variable",
+    "omplex plane",
+    "omplex vector",
+    "omplex matri",
+    "omplex amplitude",
+    "omplex scalar",
+    "omplex function",
+    "omplex exponential",
+    "omplex coefficient",
+    "omplex field",
+    "onjugate transpose",
+    "ermitian",
+    "nitary",
+    "maginary",
+    r"\mathbb{C}",
+    r"\mathbb C",
+];
+
 impl Members {
     /// Collects what a text says of its letters, within formulas and between them.
     pub fn of_text(text: &str) -> Self {
@@ -144,6 +170,7 @@ impl Members {
             .iter()
             .any(|word| text.contains(word));
         members.says_transposed = text.contains("ranspose");
+        members.says_complex = OF_COMPLEX_NUMBERS.iter().any(|words| text.contains(words));
         for formula in &inline {
             // [x, p] = i \hbar, D = \frac{d}{dx}
             let plain: String = formula.chars().filter(|c| !c.is_whitespace()).collect();

@@ -5,6 +5,7 @@ mod asides;
 mod comment;
 mod draft;
 mod factors;
+mod fonts;
 mod guess;
 mod links;
 mod macros;

@@ -142,6 +142,13 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
         if row.part.is_empty() {
             continue;
         }
+        // the sign of equality at the end of a row is the one that the next begins with
+        if let Some(last) = rows.last_mut()
+            && let Some(end) = repeated_sign(text, &last.part, &row.part)
+        {
+            blank(text, end..last.part.end);
+            last.part = trimmed(text, last.part.start..end);
+        }
         let joined = match (rows.last(), name.starts_with("multline")) {
             (Some(_), true) => Some(Joined::Row),
             (last, _) => last.and_then(|last| joined(text, &last.part, &row.part, is_aligned)),
@@ -341,9 +348,17 @@ pub(super) fn blank(text: &mut String, part: Range<usize>) {
     text.replace_range(part, &blanks);
 }
 
-/// What an environment that is all there is lays out, or one behind a brace; its name.
+/// What an environment that is all there is lays out, or one behind a brace, or in a box; its name.
 fn layer(text: &str) -> Option<(&str, Range<usize>)> {
-    let own = trimmed(text, 0..text.len());
+    let is_nothing = |behind: &str| behind.chars().all(|c| c.is_whitespace() || ",.;".contains(c));
+    let mut own = trimmed(text, 0..text.len());
+    if text.get(own.clone())?.starts_with(r"\boxed") {
+        let inside = group(text, after_blanks(text, own.start + r"\boxed".len()), BRACES)?;
+        if !is_nothing(text.get(inside.end + 1..own.end)?) {
+            return None;
+        }
+        own = trimmed(text, inside);
+    }
     let rest = text.get(own.clone())?;
     let braced = [r"\left\{", r"\left \{", r"\left\lbrace"]
         .iter()
@@ -359,13 +374,12 @@ fn layer(text: &str) -> Option<(&str, Range<usize>)> {
     } else {
         behind
     };
-    let is_all = behind.chars().all(|c| c.is_whitespace() || ",.;".contains(c));
     let states = || {
         outside(text, inner.clone())
             .iter()
             .any(|found| matches!(found, Outside::Relation(_)))
     };
-    if !is_all || !LAYERS.contains(&name) || (name == "array" && !states()) {
+    if !is_nothing(behind) || !LAYERS.contains(&name) || (name == "array" && !states()) {
         return None;
     }
     let columns = matches!(name, "array" | "alignedat")
@@ -387,6 +401,14 @@ fn relations(text: &str) -> Vec<Range<usize>> {
 
 fn starts_with_relation(text: &str, part: &Range<usize>) -> bool {
     begins_with_relation(printed(text.get(part.clone()).unwrap_or_default()))
+}
+
+/// Returns where the `=` stands that ends a row, if the next begins with one.
+fn repeated_sign(text: &str, before: &Range<usize>, part: &Range<usize>) -> Option<usize> {
+    let own = text.get(before.clone())?.strip_suffix('=')?;
+    let is_whole = !own.ends_with(['<', '>', ':', '!', '=']) && !own.trim_end_matches(['&', ' ']).is_empty();
+    let is_repeated = printed(text.get(part.clone())?).starts_with('=');
+    (is_whole && is_repeated).then_some(before.start + own.len())
 }
 
 /// Whether a text states an equation.

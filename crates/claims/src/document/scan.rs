@@ -3,6 +3,7 @@
 use super::super::fault::File;
 use super::asides;
 use super::comment::{is_misspelt, is_of_document};
+use super::fonts;
 use super::macros::{DEFINING, Macros};
 use super::markdown::{unescaped, unquoted};
 use super::rows::{Row, blank, rows};
@@ -328,6 +329,10 @@ impl<'a> Scan<'a> {
         };
         scan.macros.learn(preamble);
         scan.file(None, text);
+        let asides = scan.asides.iter_mut().map(|aside| &mut aside.formula);
+        let formulas = scan.formulas.iter_mut().chain(asides);
+        let all = formulas.filter_map(|formula| formula.tex.as_mut().ok()).collect();
+        fonts::read_as_meant(&scan.text, &scan.macros, all);
         if let Some((at, _)) = scan.faults.get(MOST_FAULTS).cloned() {
             let more = scan.faults.len() - MOST_FAULTS;
             scan.faults.truncate(MOST_FAULTS);
