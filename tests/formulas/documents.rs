@@ -2354,3 +2354,93 @@ fn what_holds_of_numbers_alone_is_not_proved_of_matrices() {
         assert_ne!(last.verdict, Verdict::Proved, "{text}: {}", last.reason);
     }
 }
+
+#[test]
+fn what_is_a_matter_of_print_is_read_as_it_is_meant() {
+    let last = |text: &str| {
+        let tex = document(
+            &format!("\\documentclass{{article}}\n\\begin{{document}}\n{text}\n\\end{{document}}\n"),
+            &[],
+        );
+        decisions(&tex).pop().unwrap()
+    };
+    let unit = r"\newcommand{\iu}{\mathbf{i}\mkern1mu} Let $\iu = \sqrt{-1}$.";
+    for (context, formula) in [
+        (unit, r"\[ \iu^3 = -\iu \]"),
+        (unit, r"\[ \mathbf{e}^{\iu \pi} = -1 \]"),
+        (
+            unit,
+            r"\[ \begin{aligned} z &= a d\iu + b\iu c \\ &= (a d + b c) \iu \end{aligned} \]",
+        ),
+        ("", r"\[ (a + c\sqrt{-5})^2 = a^2 + 2\sqrt{-5} a c - 5 c^2 \]"),
+        (
+            "",
+            r"\[ \mathrm{d}s = \frac{\mathrm{d}u + p\,\mathrm{d}v}{T} = \frac{\mathrm{d}u}{T} + \frac{p\,\mathrm{d}v}{T} \]",
+        ),
+        ("", r"\[ y = \frac{\partial x}{\partial x} + x = 1 + x \]"),
+        (
+            "",
+            r"\[ q = p + \frac{c^2}{2} - \underbrace{c\,u}_{c_u u} = \frac{2 p + c^2 - 2 c u}{2} \]",
+        ),
+        (
+            "",
+            "\\begin{eqnarray} y &=& (a + b)^2 = \\nonumber \\\\ &=& a^2 + 2 a b + b^2 \\end{eqnarray}",
+        ),
+        (
+            "",
+            r"\[ \boxed{\begin{gathered} y = 2 x, \\ 2 y = 4 x \end{gathered}} \]",
+        ),
+        (
+            "",
+            r"\[ Y = \bar A \left(\frac{\bar K}{\bar L}\right)^2 = \frac{\bar A \bar K^2}{\bar L^2} \]",
+        ),
+        (
+            r"\[ \mathbf{F} = m \mathbf{a} \]",
+            r"\[ E = \frac{m v^2}{2} + m g h = m \left(\frac{v^2}{2} + g h\right) \]",
+        ),
+        (
+            r"\[ \begin{pmatrix} 1 & 2 \\ 0 & 1 \end{pmatrix} \begin{pmatrix} a \\ b \end{pmatrix} = \begin{pmatrix} a + 2 b \\ b \end{pmatrix} \]",
+            r"\[ A = 2 a \] \[ B = 2 b \] \[ (A + B)(A - B) = A^2 - B^2 \]",
+        ),
+    ] {
+        let decision = last(&format!("{context}\n{formula}"));
+        assert_eq!(
+            decision.verdict,
+            Verdict::Proved,
+            "{context} {formula}: {}",
+            decision.reason
+        );
+    }
+    for (context, formula) in [
+        (unit, r"\[ \iu^3 = \iu \]"),
+        (
+            r"Let $\mathbf{i}^2 = -1$ and $\mathbf{j}^2 = -1$.",
+            r"\[ \mathbf{i}\mathbf{j} = \mathbf{j}\mathbf{i} \]",
+        ),
+        ("", r"\[ \sqrt{-4}\sqrt{-9} = 6 \]"),
+        ("", r"\[ (a + c\sqrt{-5})^2 = a^2 + 2\sqrt{-5} a c + 5 c^2 \]"),
+        ("", r"\[ \frac{\partial^2 x}{\partial x^2} = 1 \]"),
+        ("", r"\[ x \underbrace{a + b}_{c d} = x a + b \]"),
+        ("", r"\[ a + \underbrace{b c}_{= 0} = a \]"),
+        (
+            r"\[ M = \begin{pmatrix} a & b \\ b & a \end{pmatrix} \] \[ a b - b a = c \]",
+            r"\[ (a + b)(a - b) = a^2 - b^2 \]",
+        ),
+        (
+            r"\[ z = \begin{pmatrix} x \\ y \end{pmatrix} \] \[ A = x y^\top \]",
+            r"\[ x y^\top x y^\top = x^2 (y^\top)^2 \]",
+        ),
+        (
+            r"Let $\bar z$ be the complex conjugate of $z$.",
+            r"\[ \bar z + z = 1 \] \[ z^2 \geq 0 \]",
+        ),
+    ] {
+        let decision = last(&format!("{context}\n{formula}"));
+        assert_ne!(
+            decision.verdict,
+            Verdict::Proved,
+            "{context} {formula}: {}",
+            decision.reason
+        );
+    }
+}

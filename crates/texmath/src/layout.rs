@@ -620,7 +620,14 @@ impl<'a> Writer<'a, '_> {
             let has_several = has_at_top(inside, &[";", "|", r"\mid", r"\vert"])
                 || (has_at_top(inside, &[","]) && (!is_given || inside.contains("dots") || inside.contains("...")));
             let is_relation = has_at_top(inside, &["=", "<", ">"]);
-            let is_called = has_several || (self.may_be_function(at, name_end, inside) && self.byte(open) == b'(');
+            // what has a power needs its brackets, (a/b)^2, but for a letter alone
+            let power = self.byte(self.after_blanks(close + 1, end)) == b'^';
+            let is_letter = self
+                .name_end(self.after_blanks(start, close), close)
+                .is_some_and(|behind| self.scripts_end(behind, close, false) >= start + inside.trim_end().len());
+            let is_needed = power && !is_letter;
+            let is_called =
+                has_several || (self.may_be_function(at, name_end, inside, is_needed) && self.byte(open) == b'(');
             return ((is_operator || is_called) && !is_relation && !inside.trim().is_empty()).then_some(close + 1);
         }
         // a letter in bold is another than the plain one
@@ -696,8 +703,8 @@ impl<'a> Writer<'a, '_> {
     }
 
     /// Returns true if a letter before a bracket may be a function: one that mostly is, or before a single term, which a factor
-    /// would need no bracket for.
-    fn may_be_function(&self, at: usize, name_end: usize, inside: &str) -> bool {
+    /// would need no bracket for unless `is_needed`.
+    fn may_be_function(&self, at: usize, name_end: usize, inside: &str, is_needed: bool) -> bool {
         let name = self.slice(at, name_end);
         let letter = name
             .strip_suffix('}')
@@ -726,7 +733,7 @@ impl<'a> Writer<'a, '_> {
         if is_bold(name) && count(inside) > 1 && !inside.contains(',') {
             return false;
         }
-        is_single || FUNCTION_LETTERS.contains(&letter) || name.starts_with(r"\mathcal")
+        (is_single && !is_needed) || FUNCTION_LETTERS.contains(&letter) || name.starts_with(r"\mathcal")
     }
 
     /// Returns the end of a name that starts at a byte: a letter, or a command for one with what it stands over.

@@ -613,7 +613,8 @@ impl Guess {
                 if let (Some(one), None) = (letters.next(), letters.next()) {
                     applied.insert(plain(&format!("{name}({one}")));
                 }
-                given.extend(is_constant(name).then(|| name.clone()));
+                // i = \sqrt{-1} says what it is
+                given.extend((is_constant(name) && !names.contains(name)).then(|| name.clone()));
                 let is_unit = |name: &Name| is_constant(name) && name.base == "i";
                 complex.extend(names.iter().any(is_unit).then(|| name.clone()));
             }

@@ -292,7 +292,7 @@ impl Marks {
         let turned = turned_letters(&equations, members.says_transposed);
         let has_matrices = has_matrices || !turned.is_empty();
         letters_of_matrices.extend(turned);
-        let mut factors = Factors::default();
+        let (mut factors, mut multiplied) = (Factors::default(), BTreeSet::new());
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
             any(side, &mut |node| {
                 factors.read(node, &letters_of_matrices);
@@ -313,8 +313,10 @@ impl Marks {
                             marks.operators.insert(name.clone());
                         }
                         let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
-                        if (has_matrices && is_factor && !is_constant(name)) || is_set_apart(name) || has_two_bars(name)
-                        {
+                        if has_matrices && is_factor && !is_constant(name) {
+                            multiplied.insert(name.clone());
+                        }
+                        if is_set_apart(name) || has_two_bars(name) {
                             marks.operators.insert(name.clone());
                         }
                         if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
@@ -341,9 +343,10 @@ impl Marks {
             marks.complex.clear();
         }
         let mut numbers = factors.divisors;
-        let is_said = |name: &Name| letters_of_matrices.contains(&name.base);
+        let is_said = |name: &Name| letters_of_matrices.contains(&name.base) || marks.operators.contains(name);
         numbers.extend(entries(&equations).into_iter().filter(|name| !is_said(name)));
-        extend_to_multiples(&mut numbers, &equations);
+        extend_to_multiples(&mut numbers, &equations, &is_said);
+        marks.operators.append(&mut multiplied);
         marks.numbers = numbers
             .into_iter()
             .filter(|name| !is_typographic(name))
@@ -872,8 +875,8 @@ fn entries(equations: &[&Equation]) -> BTreeSet<Name> {
     found
 }
 
-/// Adds the letters that an equation makes a multiple of one that is a number: `a = \frac{A}{2}`.
-fn extend_to_multiples(numbers: &mut BTreeSet<Name>, equations: &[&Equation]) {
+/// Adds the letters that an equation makes a multiple of one that is a number, `a = \frac{A}{2}`, where nothing says more of them.
+fn extend_to_multiples(numbers: &mut BTreeSet<Name>, equations: &[&Equation], is_said: &dyn Fn(&Name) -> bool) {
     let letter = |side: &Tree| match side {
         Tree::Symbol(name, _) => Some(name.clone()),
         Tree::Quotient(above, below, _) if matches!(&**below, Tree::Number(_)) => match &**above {
@@ -887,7 +890,7 @@ fn extend_to_multiples(numbers: &mut BTreeSet<Name>, equations: &[&Equation]) {
         .filter_map(|equation| Some((letter(&equation.left)?, letter(&equation.right)?)));
     for (one, other) in pairs {
         if numbers.contains(&one) || numbers.contains(&other) {
-            numbers.extend([one, other]);
+            numbers.extend([one, other].into_iter().filter(|name| !is_said(name)));
         }
     }
 }
