@@ -109,7 +109,7 @@ mod tests {
     fn a_line_of_a_markdown_cell_keeps_its_number() {
         let found = markdown(WRITTEN).unwrap();
         let lines: Vec<(usize, &str)> = (1..).zip(found.lines()).filter(|(_, line)| !line.is_empty()).collect();
-        assert_eq!(lines, [(15, "# Fall"), (17, r"$$ (a+b)^2 = a^2 + \beta $$")]);
+        assert_eq!(lines, [(16, "# Fall"), (18, r"$$ (a+b)^2 = a^2 + \beta $$")]);
         assert_eq!(found.lines().count(), WRITTEN.lines().count());
     }
 

@@ -1767,7 +1767,7 @@ fn a_term_that_cannot_be_read_is_one_symbol_and_what_has_no_value_is_not() {
             "line 2.3 undecided",
             "line 3 proved",
             "line 4 given",
-            "line 5 unread",
+            "line 5 given",
             "line 6 given"
         ]
     );
@@ -2395,6 +2395,11 @@ fn what_is_a_matter_of_print_is_read_as_it_is_meant() {
             r"\[ Y = \bar A \left(\frac{\bar K}{\bar L}\right)^2 = \frac{\bar A \bar K^2}{\bar L^2} \]",
         ),
         (
+            "",
+            r"\[ |\psi\rangle = a |0\rangle + b |1\rangle + a |0\rangle = 2 a |0\rangle + b |1\rangle \]",
+        ),
+        ("", r"\[ {\rm Nu} = h L \] \[ y = 2 {\rm Nu} = 2 h L \]"),
+        (
             r"\[ \mathbf{F} = m \mathbf{a} \]",
             r"\[ E = \frac{m v^2}{2} + m g h = m \left(\frac{v^2}{2} + g h\right) \]",
         ),
@@ -2418,6 +2423,15 @@ fn what_is_a_matter_of_print_is_read_as_it_is_meant() {
             r"\[ \mathbf{i}\mathbf{j} = \mathbf{j}\mathbf{i} \]",
         ),
         ("", r"\[ \sqrt{-4}\sqrt{-9} = 6 \]"),
+        (
+            "",
+            r"\[ P = |0\rangle\langle 0| + |1\rangle\langle 1| = \langle 0| |0\rangle + \langle 1| |1\rangle \]",
+        ),
+        ("", r"\[ S = 1 + 2 + \cdots + n = n + \cdots + 2 + 1 \]"),
+        (
+            "",
+            r"\[ e^x = 1 + x + \cdots \] \[ \frac{1}{1 - x} = 1 + x + \cdots \] \[ e^x = \frac{1}{1 - x} \]",
+        ),
         ("", r"\[ (a + c\sqrt{-5})^2 = a^2 + 2\sqrt{-5} a c + 5 c^2 \]"),
         ("", r"\[ \frac{\partial^2 x}{\partial x^2} = 1 \]"),
         ("", r"\[ x \underbrace{a + b}_{c d} = x a + b \]"),

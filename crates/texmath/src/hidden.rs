@@ -61,10 +61,18 @@ const PARTING: [&str; 20] = [
     r"\cup",
 ];
 
-/// Signs of a term without a value: dots, relations and questions.
-const NO_VALUES: [&str; 11] = [
-    r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots", r"\hdots", r"\dotsc", r"\dotsb", r"\sim", "?", "…",
+/// Signs of a term without a value: dots of matrices, relations and questions.
+const NO_VALUES: [&str; 4] = [r"\vdots", r"\ddots", r"\sim", "?"];
+
+/// Dots in the place of terms or factors.
+const DOTS: [&str; 8] = [
+    r"\dots", r"\ldots", r"\cdots", r"\hdots", r"\dotsc", r"\dotsb", "...", "…",
 ];
+
+/// Returns true if a text leaves something out by dots, of which nobody knows what it is.
+pub fn has_dots(text: &str) -> bool {
+    DOTS.iter().any(|dots| text.contains(dots))
+}
 
 /// The name of a term that is out of sight, as it prints.
 pub(super) fn name(text: &str, names: &Names) -> Option<Name> {
@@ -210,7 +218,7 @@ fn has_value(term: &str) -> bool {
     let all = signs(term);
     let is_order = |pair: &[Sign<'_>]| matches!(pair, [name, open] if ["O", "o"].contains(&name.text) && ["(", r"\left"].contains(&open.text));
     let is_antiderivative = |pair: &[Sign<'_>]| matches!(pair, [sign, next] if sign.text == r"\int" && !["_", r"\limits"].contains(&next.text));
-    let leaves_out = all.iter().any(|sign| NO_VALUES.contains(&sign.text)) || term.contains("...");
+    let leaves_out = all.iter().any(|sign| NO_VALUES.contains(&sign.text));
     let words = ["const", "h.o.t", "c.c.", r"\mathcal{O}", r"\mathcal O"];
     let ends_open = all.last().is_none_or(|last| {
         [
@@ -310,6 +318,7 @@ mod tests {
             (r"z = a + b \pl c", r"\pl", r"a + b \pl c"),
             (r"z = a + b \oplus c", r"\oplus", r"a + b \oplus c"),
             (r"z = a + b \inv", r"\inv", r"b \inv"),
+            (r"a_1 + a_2 \cdots a_n = b", r"\cdots", r"a_2 \cdots a_n"),
             (r"z = \Sum_i a_i + b_i", r"\Sum", r"\Sum_i a_i + b_i"),
             (r"z = a + \inv{2} b", r"\inv", r"\inv{2} b"),
             (r"\int_S f + g dS = c + d", "g", r"\int_S f + g dS"),
@@ -325,7 +334,7 @@ mod tests {
         for (text, at) in [
             ("|a + b| = c", "a"),
             (r"p(x) \sim q + r", "q"),
-            (r"a_1 + a_2 \cdots a_n = b", r"\cdots"),
+            (r"A = \begin{pmatrix} \vdots \end{pmatrix}", r"\vdots"),
             (r"x = y + O(h^2)", "O"),
             (r"F = \int f dx + C", r"\int"),
             (r"\hat p = -i \hbar \frac{\partial}{\partial x}", r"\frac"),

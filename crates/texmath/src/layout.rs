@@ -412,6 +412,14 @@ impl<'a> Writer<'a, '_> {
                     self.write(".", at);
                     close + 1
                 }
+                // {\rm Re} is one word
+                Some(close) if is_word_of_old_font(self.slice(at + 1, close)) => {
+                    let word = self.slice(at + 1, close).trim_start_matches(r"\rm").trim();
+                    let is_script = self.slice(0, at).trim_end().ends_with(['_', '^']);
+                    let shown = format!(r"\mathrm{{{word}}}");
+                    self.write(&if is_script { format!("{{{shown}}}") } else { shown }, at);
+                    close + 1
+                }
                 Some(close) => {
                     self.copy(at, at + 1);
                     self.group(at + 1, close, depth + 1);
@@ -542,16 +550,16 @@ impl<'a> Writer<'a, '_> {
     /// Returns the end of a term that starts at a byte and is not understood: an operator with its operand, brackets of a
     /// product, a letter before brackets that may hold its arguments.
     fn opaque(&self, at: usize, end: usize) -> Option<usize> {
-        let is_start = matches!(self.byte(at), b'\\') || self.byte(at).is_ascii_alphabetic();
+        if let Some(behind) = self.word(at, end) {
+            return Some(behind);
+        }
+        let is_start = matches!(self.byte(at), b'\\' | b'|') || self.byte(at).is_ascii_alphabetic();
         if !is_start {
             return None;
         }
         let next = self.token_end(at);
-        if self.slice(at, next) == r"\langle" {
-            let close = at + self.slice(at, end).find(r"\rangle")?;
-            let inside = self.slice(next, close);
-            let is_plain = !inside.contains(['=', '<', '>']) && !inside.contains(r"\langle");
-            return is_plain.then(|| close + r"\rangle".len());
+        if [r"\langle", "|"].contains(&self.slice(at, next)) {
+            return self.of_dirac(at, next, end);
         }
         let script = self.after_blanks(next, end);
         let takes_term = match self.slice(at, next) {
@@ -664,6 +672,30 @@ impl<'a> Writer<'a, '_> {
         }
     }
 
+    /// Returns the end of a ket `|\psi\rangle`, a bra `\langle\psi|`, or what stands between angles, whose sign `at` ends at `next`.
+    fn of_dirac(&self, at: usize, next: usize, end: usize) -> Option<usize> {
+        let close = self.slice(next, end).find(r"\rangle").map(|length| next + length);
+        let is_plain = |inside: &str| !inside.contains(['=', '<', '>', '&']) && !inside.contains(r"\langle");
+        let between = close
+            .map(|close| self.slice(next, close))
+            .filter(|inside| is_plain(inside));
+        if self.byte(at) == b'|' {
+            let is_ket = between.is_some_and(|inside| !inside.contains('|') && !inside.trim().is_empty());
+            return close.filter(|_| is_ket).map(|close| close + r"\rangle".len());
+        }
+        // a bra ends at its bar, where a sum or nothing goes on behind it
+        let bar = self.slice(next, end).find('|').map(|length| next + length);
+        let ends = |bar: usize| {
+            let behind = self.slice(bar + 1, end).trim_start();
+            behind.is_empty() || behind.starts_with(['+', '-', '=', ')', ']', '}', ',', '.', ';', '&', '\n'])
+        };
+        match (bar.filter(|bar| ends(*bar) && is_plain(self.slice(next, *bar))), close) {
+            (Some(bar), _) => Some(bar + 1),
+            (None, Some(close)) => between.map(|_| close + r"\rangle".len()),
+            (None, None) => None,
+        }
+    }
+
     /// Returns the end of a differential `\mathrm{d}T` that starts at a byte, which is one name, as in `\mathrm{d}s = c \mathrm{d}T/T`:
     /// in a formula without integrals and derivatives.
     fn differential(&self, at: usize, end: usize) -> Option<usize> {
@@ -682,6 +714,29 @@ impl<'a> Writer<'a, '_> {
             return None;
         }
         self.name_end(self.after_spaces(at + sign.len(), end), end)
+    }
+
+    /// Returns the end of a name of several upright letters that starts at a byte, `\mathrm{Nu}` or `{\rm Nu}`, where it acts on nothing: at the end
+    /// of a term, or before a sign of multiplication.
+    fn word(&self, at: usize, end: usize) -> Option<usize> {
+        let own = self.slice(at, end);
+        let sign = [r"\mathrm{", r"{\rm "].into_iter().find(|sign| own.starts_with(sign))?;
+        let word = own.get(sign.len()..)?;
+        let word = word.get(..word.find('}')?)?;
+        let is_name = word.len() > 1
+            && word.bytes().all(|byte| byte.is_ascii_alphabetic())
+            && !NO_NAMES.contains(&word)
+            && Elementary::by_word(word).is_none()
+            && invariant(word).is_none()
+            && !self.names.functions.iter().any(|known| known.base == word);
+        let behind = at + sign.len() + word.len() + 1;
+        let next = self.after_spaces(behind, end);
+        let sign = self.slice(next, self.token_end(next).min(end));
+        let ends = next == end
+            || sign.starts_with(['+', '-', '=', ')', ']', '}', ',', '.', ';', '&', '/', '_', '<', '>'])
+            || [r"\\", r"\right", r"\cdot", r"\times", r"\quad", r"\qquad"].contains(&sign)
+            || related(sign).is_some();
+        (is_name && ends).then_some(behind)
     }
 
     /// Returns the end of the root of a negative number that starts at a byte, and the root as a multiple of the imaginary unit.
@@ -1011,6 +1066,12 @@ impl<'a> Writer<'a, '_> {
     }
 }
 
+/// Returns true for `\rm` with a word of several letters.
+fn is_word_of_old_font(group: &str) -> bool {
+    let word = group.strip_prefix(r"\rm ").map(str::trim);
+    word.is_some_and(|word| word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_alphabetic()))
+}
+
 /// Returns true if a label at a brace states nothing of its own: it holds a letter, and no relation or arrow.
 fn is_description(label: &str) -> bool {
     let has_letter = label.contains(|c: char| c.is_alphabetic());
@@ -1044,6 +1105,28 @@ const ENDS: [&str; 11] = [
 fn ends_term(command: &str) -> bool {
     ENDS.contains(&command) || related(command).is_some()
 }
+
+/// Upright words that are no names: parts of sentences, and functions that may stand before what they act on.
+const NO_NAMES: [&str; 18] = [
+    "const",
+    "mod",
+    "lim",
+    "for",
+    "if",
+    "and",
+    "or",
+    "on",
+    "in",
+    "as",
+    "with",
+    "where",
+    "otherwise",
+    "else",
+    "Re",
+    "Im",
+    "sgn",
+    "id",
+];
 
 /// Second shapes of letters, which are letters of their own where an author prints both.
 const VARIANTS: [&str; 2] = [r"\varepsilon", r"\varphi"];

@@ -17,8 +17,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 use texmath::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
-    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, index_of, is_bold, is_constant, is_opaque,
-    letters, names_in, names_of, pair_of, read_display, read_name, with_commands,
+    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, has_dots, index_of, is_bold, is_constant,
+    is_opaque, letters, names_in, names_of, pair_of, read_display, read_name, with_commands,
 };
 use toml::Spanned;
 
@@ -357,12 +357,13 @@ fn question_below(equations: &[Equation]) -> Option<&'static str> {
     if equations.iter().any(|equation| equation.doubts.0.iter().any(is_guess)) {
         return Some("a remark that may be a condition");
     }
-    let is_loose = |node: &Tree| is_antiderivative(node) || is_order(node);
+    let is_left_out = |node: &Tree| matches!(node, Tree::Symbol(name, _) if has_dots(&name.base));
+    let is_loose = |node: &Tree| is_antiderivative(node) || is_order(node) || is_left_out(node);
     let has_loose = |equation: &Equation| any_side(equation, &mut |node| is_loose(node));
     equations
         .iter()
         .any(has_loose)
-        .then_some("what is given up to a constant or an order")
+        .then_some("what is given up to a constant, an order or dots")
 }
 
 fn is_antiderivative(node: &Tree) -> bool {
@@ -1074,6 +1075,9 @@ impl Guess {
         }
         if shown.contains(r"\ast") {
             return Some("a convolution, or a product?");
+        }
+        if has_dots(&shown) {
+            return Some("what do the dots stand for?");
         }
         let signs = |signs: &[&str]| signs.iter().map(|sign| shown.matches(sign).count()).sum::<usize>();
         let read = |is_one: fn(&Operation) -> bool| {

@@ -119,6 +119,7 @@ fn is_set_apart(name: &Name) -> bool {
             .any(|sign| name.base.contains(sign))
     };
     commands.any(|command| name.base.starts_with(command))
+        || name.base.starts_with('|')
         || holds_unknown(&name.base)
         || holds_bold_capital(&name.base)
         || (is_integral && (holds_vectors() || holds_transposes()))
