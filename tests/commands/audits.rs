@@ -131,7 +131,7 @@ fn notebooks_and_quarto_documents_are_read_as_markdown_with_the_lines_of_the_fil
         assert_eq!(rows[1]["verdict"], "proved", "{name}");
     }
     // a repair is a comment in the cell, which changes no verdict
-    scratch.file("claim.ipynb", &notebook(&claim));
+    scratch.file("claim.ipynb", notebook(&claim));
     let ran = scratch.run(&["audit", "claim.ipynb", "--repair-into", "mended.ipynb"]);
     assert_eq!(ran.status, Some(0), "{}", ran.stderr);
     let mended = std::fs::read_to_string(scratch.path("mended.ipynb")).unwrap();

@@ -1767,7 +1767,7 @@ fn a_term_that_cannot_be_read_is_one_symbol_and_what_has_no_value_is_not() {
             "line 2.3 undecided",
             "line 3 proved",
             "line 4 given",
-            "line 5 given",
+            "line 5 undecided",
             "line 6 given"
         ]
     );

@@ -65,13 +65,19 @@ const PARTING: [&str; 20] = [
 const NO_VALUES: [&str; 4] = [r"\vdots", r"\ddots", r"\sim", "?"];
 
 /// Dots in the place of terms or factors.
-const DOTS: [&str; 8] = [
-    r"\dots", r"\ldots", r"\cdots", r"\hdots", r"\dotsc", r"\dotsb", "...", "…",
-];
+const DOTS: [&str; 7] = [r"\dots", r"\ldots", r"\cdots", r"\hdots", r"\dotsc", r"\dotsb", "…"];
 
-/// Returns true if a text leaves something out by dots, of which nobody knows what it is.
+/// Returns true if a text leaves terms or factors out by dots outside of brackets, of which nobody knows what they are.
 pub fn has_dots(text: &str) -> bool {
-    DOTS.iter().any(|dots| text.contains(dots))
+    let all = signs(text);
+    outside(&all).any(|(_, sign)| DOTS.contains(&sign))
+}
+
+/// Returns true for a list in brackets that is not whole, `(x_1, \dots, x_n)`.
+fn is_list_with_dots(term: &str) -> bool {
+    let all = signs(term);
+    let is_listed = |pair: &[Sign<'_>]| matches!(pair, [comma, dots] if comma.text == "," && DOTS.contains(&dots.text));
+    all.first().is_some_and(|first| OPENING.contains(&first.text)) && all.windows(2).any(is_listed)
 }
 
 /// The name of a term that is out of sight, as it prints.
@@ -192,6 +198,10 @@ fn term(text: &str, place: usize) -> Option<Range<usize>> {
         .trim_end_matches(blanks)
         .len();
     let start = own.start + inside.len() - inside.trim_start().len();
+    // 1, 2, \dots
+    if DOTS.contains(&inside.trim()) && text.get(..own.start)?.trim_end().ends_with(',') {
+        return None;
+    }
     let own = start..own.start + length;
     (own.contains(&place) && has_value(text.get(own.clone())?)).then_some(own)
 }
@@ -218,7 +228,7 @@ fn has_value(term: &str) -> bool {
     let all = signs(term);
     let is_order = |pair: &[Sign<'_>]| matches!(pair, [name, open] if ["O", "o"].contains(&name.text) && ["(", r"\left"].contains(&open.text));
     let is_antiderivative = |pair: &[Sign<'_>]| matches!(pair, [sign, next] if sign.text == r"\int" && !["_", r"\limits"].contains(&next.text));
-    let leaves_out = all.iter().any(|sign| NO_VALUES.contains(&sign.text));
+    let leaves_out = all.iter().any(|sign| NO_VALUES.contains(&sign.text)) || is_list_with_dots(term);
     let words = ["const", "h.o.t", "c.c.", r"\mathcal{O}", r"\mathcal O"];
     let ends_open = all.last().is_none_or(|last| {
         [
@@ -318,7 +328,7 @@ mod tests {
             (r"z = a + b \pl c", r"\pl", r"a + b \pl c"),
             (r"z = a + b \oplus c", r"\oplus", r"a + b \oplus c"),
             (r"z = a + b \inv", r"\inv", r"b \inv"),
-            (r"a_1 + a_2 \cdots a_n = b", r"\cdots", r"a_2 \cdots a_n"),
+            (r"a_1 + a_2 \cdots a_n = b", r"\cdots", r"a_1 + a_2 \cdots a_n"),
             (r"z = \Sum_i a_i + b_i", r"\Sum", r"\Sum_i a_i + b_i"),
             (r"z = a + \inv{2} b", r"\inv", r"\inv{2} b"),
             (r"\int_S f + g dS = c + d", "g", r"\int_S f + g dS"),

@@ -357,13 +357,17 @@ fn question_below(equations: &[Equation]) -> Option<&'static str> {
     if equations.iter().any(|equation| equation.doubts.0.iter().any(is_guess)) {
         return Some("a remark that may be a condition");
     }
-    let is_left_out = |node: &Tree| matches!(node, Tree::Symbol(name, _) if has_dots(&name.base));
     let is_loose = |node: &Tree| is_antiderivative(node) || is_order(node) || is_left_out(node);
     let has_loose = |equation: &Equation| any_side(equation, &mut |node| is_loose(node));
     equations
         .iter()
         .any(has_loose)
         .then_some("what is given up to a constant, an order or dots")
+}
+
+/// Returns true for a term with dots.
+fn is_left_out(node: &Tree) -> bool {
+    matches!(node, Tree::Symbol(name, _) if has_dots(&name.base))
 }
 
 fn is_antiderivative(node: &Tree) -> bool {
@@ -761,7 +765,9 @@ impl Guess {
         if let Some(open) = self.question(at, tex).or_else(|| self.question_beside(at, is_link)) {
             self.open.insert(label.to_owned(), open);
         }
-        let equations = self.read.get(at).cloned().unwrap_or_default();
+        // what prints dots gives nothing to what follows
+        let whole = |equations: &&Vec<Equation>| !equations.iter().any(|own| any_side(own, &mut is_left_out));
+        let equations = self.read.get(at).filter(whole).cloned().unwrap_or_default();
         let (mut new, mut is_local) = (None, false);
         if let [equation] = equations.as_slice() {
             let defined = self.defined(equation).is_some();
@@ -1076,9 +1082,6 @@ impl Guess {
         if shown.contains(r"\ast") {
             return Some("a convolution, or a product?");
         }
-        if has_dots(&shown) {
-            return Some("what do the dots stand for?");
-        }
         let signs = |signs: &[&str]| signs.iter().map(|sign| shown.matches(sign).count()).sum::<usize>();
         let read = |is_one: fn(&Operation) -> bool| {
             let mut count = 0;
@@ -1101,7 +1104,9 @@ impl Guess {
         }
         self.read.get(at).into_iter().flatten().find_map(|equation| {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
-            if has_dependence(equation, &|name, by| self.is_value(name, by))
+            if is_some(&mut is_left_out) {
+                Some("what do the dots stand for?")
+            } else if has_dependence(equation, &|name, by| self.is_value(name, by))
                 || is_with_and_without_time(equation)
                 || is_some(&mut is_rate)
                 || (is_some(&mut is_opaque_symbol) && is_some(&mut binds))
