@@ -2398,6 +2398,10 @@ fn what_is_a_matter_of_print_is_read_as_it_is_meant() {
             "",
             r"\[ |\psi\rangle = a |0\rangle + b |1\rangle + a |0\rangle = 2 a |0\rangle + b |1\rangle \]",
         ),
+        (
+            r"\[ x^{\mathrm{ref}} = a \]",
+            r"\[ y = 2 x^{\mathrm{ref}} + \mathrm{Nu} = 2 a + \mathrm{Nu} \]",
+        ),
         ("", r"\[ {\rm Nu} = h L \] \[ y = 2 {\rm Nu} = 2 h L \]"),
         (
             r"\[ \mathbf{F} = m \mathbf{a} \]",

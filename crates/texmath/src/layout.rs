@@ -164,6 +164,7 @@ impl<'a> Plain<'a> {
             parts: Vec::new(),
             is_changed: false,
             left: Cell::new(LOOKED_AT * (source.len() + 1)),
+            has_differentials: names.opaque.is_some() && has_differentials(source),
             names,
         };
         writer.group(0, source.len(), 0);
@@ -236,6 +237,8 @@ struct Writer<'a, 'n> {
     is_changed: bool,
     /// Bytes that may still be looked at for brackets that close: each bracket of a hostile formula looks to its end.
     left: Cell<usize>,
+    /// Whether `\mathrm{d}T` is a name, as no integral and no derivative is printed.
+    has_differentials: bool,
     /// With these, terms that are not understood may become symbols.
     names: &'n Names,
 }
@@ -674,6 +677,11 @@ impl<'a> Writer<'a, '_> {
 
     /// Returns the end of a ket `|\psi\rangle`, a bra `\langle\psi|`, or what stands between angles, whose sign `at` ends at `next`.
     fn of_dirac(&self, at: usize, next: usize, end: usize) -> Option<usize> {
+        let text = self.slice(next, end);
+        let end = text
+            .char_indices()
+            .nth(LONGEST_BRA)
+            .map_or(end, |(length, _)| next + length);
         let close = self.slice(next, end).find(r"\rangle").map(|length| next + length);
         let is_plain = |inside: &str| !inside.contains(['=', '<', '>', '&']) && !inside.contains(r"\langle");
         let between = close
@@ -699,25 +707,13 @@ impl<'a> Writer<'a, '_> {
     /// Returns the end of a differential `\mathrm{d}T` that starts at a byte, which is one name, as in `\mathrm{d}s = c \mathrm{d}T/T`:
     /// in a formula without integrals and derivatives.
     fn differential(&self, at: usize, end: usize) -> Option<usize> {
-        let sign = [r"\mathrm{d}", r"\mathrm d"]
-            .into_iter()
-            .find(|sign| self.slice(at, end).starts_with(sign))?;
-        let others = [
-            r"\int",
-            r"\partial",
-            r"}{\mathrm{d}",
-            r"}{\mathrm d",
-            r"/\mathrm{d}",
-            r"/\mathrm d",
-        ];
-        if others.iter().any(|other| self.source.contains(other)) {
-            return None;
-        }
+        let mut signs = DIFFERENTIALS.into_iter().filter(|_| self.has_differentials);
+        let sign = signs.find(|sign| self.slice(at, end).starts_with(sign))?;
         self.name_end(self.after_spaces(at + sign.len(), end), end)
     }
 
-    /// Returns the end of a name of several upright letters that starts at a byte, `\mathrm{Nu}` or `{\rm Nu}`, where it acts on nothing: at the end
-    /// of a term, or before a sign of multiplication.
+    /// Returns the end of a name of several upright letters that starts at a byte, `\mathrm{Nu}` or `{\rm Nu}`, where it acts on
+    /// nothing: at the end of a term, or before a sign of multiplication.
     fn word(&self, at: usize, end: usize) -> Option<usize> {
         let own = self.slice(at, end);
         let sign = [r"\mathrm{", r"{\rm "].into_iter().find(|sign| own.starts_with(sign))?;
@@ -736,7 +732,10 @@ impl<'a> Writer<'a, '_> {
             || sign.starts_with(['+', '-', '=', ')', ']', '}', ',', '.', ';', '&', '/', '_', '<', '>'])
             || [r"\\", r"\right", r"\cdot", r"\times", r"\quad", r"\qquad"].contains(&sign)
             || related(sign).is_some();
-        (is_name && ends).then_some(behind)
+        // x^{\mathrm{ref}} is a name itself
+        let before = self.slice(0, at).trim_end();
+        let before = before.strip_suffix('{').unwrap_or(before).trim_end();
+        (is_name && ends && !before.ends_with(['^', '_'])).then_some(behind)
     }
 
     /// Returns the end of the root of a negative number that starts at a byte, and the root as a multiple of the imaginary unit.
@@ -1064,6 +1063,26 @@ impl<'a> Writer<'a, '_> {
         }
         None
     }
+}
+
+/// The most characters between angles: each that opens is looked for to its end.
+const LONGEST_BRA: usize = 1_000;
+
+/// An upright d.
+const DIFFERENTIALS: [&str; 2] = [r"\mathrm{d}", r"\mathrm d"];
+
+/// Returns true if a formula prints an upright d, and no integral or derivative.
+fn has_differentials(source: &str) -> bool {
+    let others = [
+        r"\int",
+        r"\partial",
+        r"}{\mathrm{d}",
+        r"}{\mathrm d",
+        r"/\mathrm{d}",
+        r"/\mathrm d",
+    ];
+    let prints = |sign: &&str| source.contains(sign);
+    DIFFERENTIALS.iter().any(prints) && !others.iter().any(prints)
 }
 
 /// Returns true for `\rm` with a word of several letters.

@@ -25,7 +25,7 @@ pub(super) struct Members {
     pub says_more: bool,
     /// True if the text speaks of transposes.
     pub says_transposed: bool,
-    /// Whether the text speaks of complex numbers.
+    /// True if the text speaks of complex numbers.
     pub says_complex: bool,
     /// True if the text speaks of the identity.
     pub says_identity: bool,
