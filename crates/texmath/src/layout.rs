@@ -164,6 +164,7 @@ impl<'a> Plain<'a> {
             parts: Vec::new(),
             is_changed: false,
             left: Cell::new(LOOKED_AT * (source.len() + 1)),
+            has_angles: source.contains(r"\rangle"),
             has_differentials: names.opaque.is_some() && has_differentials(source),
             names,
         };
@@ -237,6 +238,8 @@ struct Writer<'a, 'n> {
     is_changed: bool,
     /// Bytes that may still be looked at for brackets that close: each bracket of a hostile formula looks to its end.
     left: Cell<usize>,
+    /// Whether something may be a ket.
+    has_angles: bool,
     /// Whether `\mathrm{d}T` is a name, as no integral and no derivative is printed.
     has_differentials: bool,
     /// With these, terms that are not understood may become symbols.
@@ -561,8 +564,10 @@ impl<'a> Writer<'a, '_> {
             return None;
         }
         let next = self.token_end(at);
-        if [r"\langle", "|"].contains(&self.slice(at, next)) {
-            return self.of_dirac(at, next, end);
+        match self.slice(at, next) {
+            r"\langle" => return self.of_dirac(at, next, end),
+            "|" => return self.has_angles.then(|| self.of_dirac(at, next, end)).flatten(),
+            _ => {}
         }
         let script = self.after_blanks(next, end);
         let takes_term = match self.slice(at, next) {
@@ -1066,7 +1071,7 @@ impl<'a> Writer<'a, '_> {
 }
 
 /// The most characters between angles: each that opens is looked for to its end.
-const LONGEST_BRA: usize = 1_000;
+const LONGEST_BRA: usize = 500;
 
 /// An upright d.
 const DIFFERENTIALS: [&str; 2] = [r"\mathrm{d}", r"\mathrm d"];
