@@ -201,7 +201,7 @@ impl Read {
 }
 
 impl Arguments {
-    /// Where the input comes from; stdin has the name that is given for it.
+    /// The sources of the input; stdin has the name that is given for it.
     fn sources(&self) -> Result<Vec<Source>, Failure> {
         let Some(name) = &self.stdin_name else {
             return Ok(self.sheets.clone());

@@ -35,7 +35,7 @@ pub fn of_stdin(text: &str) -> Option<Document> {
     Some(with_files(text, markup, &Files::around(Path::new("./stdin"), text)))
 }
 
-/// How a document is written, as the ending of its name says.
+/// The format of a document, as the ending of its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// LaTeX.
@@ -47,12 +47,12 @@ pub enum Form {
 }
 
 impl Form {
-    /// Returns how the document in a file is written; `None` where its name is that of no document.
+    /// Returns the format of the document in a file; `None` where its name is that of no document.
     pub fn of(source: &Source) -> Option<Self> {
         Self::of_path(source.path()?)
     }
 
-    /// Returns how the document at a path is written; `None` where its name is that of no document.
+    /// Returns the format of the document at a path; `None` where its name is that of no document.
     pub fn of_path(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "tex" | "ltx" => Some(Self::Tex),

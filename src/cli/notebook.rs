@@ -43,7 +43,7 @@ impl Lines {
 /// an empty line after each.
 ///
 /// # Errors
-/// What is wrong with the notebook.
+/// A text that is no notebook, with the reason.
 pub fn markdown(notebook: &str) -> Result<String, String> {
     let read: Notebook = serde_json::from_str(notebook).map_err(|error| {
         format!("no notebook of Jupyter's format 4 ({error}); save it anew with Jupyter, or convert it with `jupyter nbconvert --to markdown`")
@@ -77,7 +77,7 @@ fn in_place(notebook: &str, cells: &[String]) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// As nbformat writes it.
+    /// A notebook as nbformat writes it.
     const WRITTEN: &str = r##"{
  "cells": [
   {

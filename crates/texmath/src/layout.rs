@@ -238,9 +238,9 @@ struct Writer<'a, 'n> {
     is_changed: bool,
     /// Bytes that may still be looked at for brackets that close: each bracket of a hostile formula looks to its end.
     left: Cell<usize>,
-    /// Whether something may be a ket.
+    /// True if an angle closes, so that there may be kets.
     has_angles: bool,
-    /// Whether `\mathrm{d}T` is a name, as no integral and no derivative is printed.
+    /// True if `\mathrm{d}T` is a name: neither an integral nor a derivative is printed.
     has_differentials: bool,
     /// With these, terms that are not understood may become symbols.
     names: &'n Names,

@@ -1,4 +1,4 @@
-//! What of a formula is a matter of print: bold by LaTeX 2.09, the imaginary unit in bold or sans serif, assignments.
+//! The parts of a formula that are a matter of print: bold by LaTeX 2.09, the imaginary unit in bold or sans serif, assignments.
 
 use super::macros::Macros;
 use super::tex::{BRACES, command, group, words};
@@ -84,10 +84,8 @@ fn without_boldmath(tex: &str) -> Option<String> {
 fn without_assignments(tex: &str) -> Option<String> {
     const ASSIGNING: [&str; 2] = [r"\let", r"\renewcommand"];
     let (mut found, mut assigned, mut at) = (String::new(), Vec::new(), 0);
-    for (start, end) in words(tex)
-        .map(|(word, end)| (end - word.len() - 1, end))
-        .collect::<Vec<_>>()
-    {
+    for (word, end) in words(tex) {
+        let start = end - word.len() - 1;
         let sign = tex.get(start..end)?;
         if start < at || !ASSIGNING.contains(&sign) {
             continue;

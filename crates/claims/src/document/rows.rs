@@ -348,7 +348,7 @@ pub(super) fn blank(text: &mut String, part: Range<usize>) {
     text.replace_range(part, &blanks);
 }
 
-/// What an environment that is all there is lays out, or one behind a brace, or in a box; its name.
+/// The name and the body of an environment that is all there is, or that stands behind a brace or in a box.
 fn layer(text: &str) -> Option<(&str, Range<usize>)> {
     let is_nothing = |behind: &str| behind.chars().all(|c| c.is_whitespace() || ",.;".contains(c));
     let mut own = trimmed(text, 0..text.len());
