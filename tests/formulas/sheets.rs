@@ -821,3 +821,30 @@ fn a_refutation_is_never_as_expected_where_proofs_are() {
         );
     }
 }
+
+#[test]
+fn powers_with_letters_as_exponents_are_multiplied_at_positive_bases() {
+    let decide = |tex: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['K', 'L', 'a', 'b']\nintegers = ['n']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '{tex}'\n"
+        );
+        let sheet = Sheet::read(&text, &vocabulary()).unwrap();
+        let decision = prove::decide(&sheet, 0, &Options::default());
+        (decision.verdict, decision.provided.join("; "))
+    };
+    let proved = |provided: &str| (Verdict::Proved, provided.to_owned());
+    assert_eq!(
+        decide(r"K^a L^{1-a} = L \left(\frac{K}{L}\right)^a"),
+        proved(r"K > 0; L > 0; \frac{K}{L} > 0")
+    );
+    assert_eq!(
+        decide(r"\frac{\partial}{\partial K} K^a = a \frac{K^a}{K}"),
+        proved("K > 0")
+    );
+    assert_eq!(decide("K^{a + b} = K^a K^b"), proved("K > 0"));
+    // of integers the base may be negative
+    assert_eq!(decide("K^{n + 1} = K K^n").1, "");
+    for wrong in ["(K + L)^a = K^a + L^a", "K^{a b} = K^a K^b", "(K L)^a = K^a L"] {
+        assert_ne!(decide(wrong).0, Verdict::Proved, "{wrong}");
+    }
+}

@@ -47,8 +47,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, WordQuestion, other_ways, reduced, reduced_by_cases,
-    thin_domains, values,
+    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, WordQuestion, at_positive_bases, other_ways, reduced,
+    reduced_by_cases, thin_domains, values,
 };
 use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side};
 
@@ -299,6 +299,10 @@ impl<'a> Search<'a> {
             Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
             _ => decision,
         };
+        let decision = match decision.verdict {
+            Verdict::Undecided if !decision.is_vacuous => self.at_positive_bases(&goals).unwrap_or(decision),
+            _ => decision,
+        };
         let thin = match (decision.verdict, goals.sufficient.as_slice()) {
             (Verdict::Proved, [goal]) if sheet.entries.get(position).is_some_and(|entry| entry.is_way) => {
                 self.without_value(goal).or_else(|| self.thin(goal))
@@ -307,6 +311,19 @@ impl<'a> Search<'a> {
             _ => None,
         };
         thin.unwrap_or(decision)
+    }
+
+    /// Decides a claim where the bases of its powers are positive; nothing where it is not proved so.
+    fn at_positive_bases(&mut self, goals: &Reduced) -> Option<Decision> {
+        let (further, provided) = at_positive_bases(goals)?;
+        let known = self.known();
+        let mut decision = self.together(&further);
+        if decision.verdict != Verdict::Proved {
+            self.forget(known);
+            return None;
+        }
+        decision.provide(provided);
+        Some(decision)
     }
 
     /// Of a way of an equivalence that is proved but may have no value where what is assumed holds: that the solutions of the

@@ -24,6 +24,7 @@ mod law;
 mod limit;
 mod matrix;
 mod parts;
+mod powers;
 mod ranges;
 mod recurrence;
 mod roots;
@@ -36,6 +37,7 @@ use super::definition::{Local, inlined};
 use super::premise::Statements;
 pub use divisors::divisors;
 pub use inequality::ways as other_ways;
+pub use powers::at_positive_bases;
 pub use rule::{Rule, Rules};
 pub use thin::{thin_domains, values};
 

@@ -64,6 +64,8 @@ pub enum Rule {
     InequalityDerivatives,
     /// A root or the value of an inverse function by the equation and the range that define it.
     InverseRange,
+    /// The bases of powers whose exponents are no numbers are taken to be positive.
+    PositiveBases,
     /// Letters that need not commute, as matrices, by words.
     Words,
 }
@@ -127,6 +129,7 @@ impl fmt::Display for Rule {
             Self::CauchySchwarz => "modulus: Cauchy-Schwarz",
             Self::InequalityDerivatives => "inequality: signs of derivatives",
             Self::InverseRange => "inverse: range",
+            Self::PositiveBases => "powers: positive bases",
             Self::Words => "words: any ring",
         })
     }
