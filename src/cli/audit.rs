@@ -6,7 +6,7 @@ use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
 use super::verdicts::{Audited, Row, Unusable, answer, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source};
-use crate::claim::{self, Document, Fault, Sheet};
+use crate::claim::{self, Document, Fault, Sheet, Verdict};
 use crate::prove;
 use crate::reference::Outcome;
 use crate::repair::Repair;
@@ -259,10 +259,11 @@ impl Arguments {
             document,
             text,
         } = Read::new(source, symbols)?;
-        if let Some(directory) = &self.proof {
-            write_proofs(&sheet, directory, &options)?;
-        }
+        let proofs = self.proof.as_deref().map(NewDirectory::create).transpose()?;
         let rows = decide_sheet(&sheet, &name, &options, self.repair || mended.is_some())?;
+        if let (Some(new), Some(directory)) = (proofs, &self.proof) {
+            write_proofs(&sheet, &rows, new, directory, &options)?;
+        }
         if let Some(mended) = &mended {
             let text = with_repairs(source, &name, &text, &sheet, symbols, &rows)?;
             mended.write(|to| to.write_all(text.as_bytes()))?;
@@ -299,11 +300,17 @@ fn tell_gone(all: &mut [(Audited, Option<Document>)], baseline: &Baseline, sourc
     Ok(())
 }
 
-/// Writes a script for each question that is decided into a new directory.
-fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Result<(), Failure> {
-    let rows = sheet.rows();
+/// Writes a script for each question that decides a row into a new directory.
+fn write_proofs(
+    sheet: &Sheet,
+    rows: &[Row],
+    new: NewDirectory,
+    directory: &Path,
+    options: &prove::Options,
+) -> Result<(), Failure> {
+    let is_decided = |row: &&Row| matches!(row.decision.verdict, Verdict::Proved | Verdict::Refuted);
+    let rows: Vec<usize> = rows.iter().filter(is_decided).map(|row| row.position).collect();
     let names = prove::file_names(sheet, &rows);
-    let new = NewDirectory::create(directory)?;
     let token = Token::current();
     let write = |(position, name): (&usize, &String)| -> Result<usize, OutputError> {
         let scripts = token.during(|| prove::scripts(sheet, *position, options));

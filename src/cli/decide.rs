@@ -5,7 +5,7 @@ use super::verdicts::{Row, table};
 use super::{Failure, note};
 use crate::claim::{self, Entry, Fault, Sheet, Standing, Verdict};
 use crate::evidence::witness_near;
-use crate::prove::{self, mention_refuted};
+use crate::prove::{self, mention_refuted, settle_second_values};
 use crate::repair::{Repair, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
@@ -37,6 +37,7 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
         name: name.to_owned(),
         fault: Box::new(fault),
     })?;
+    settle_second_values(rows.iter_mut().map(|row| &mut row.decision));
     clear_links_behind_suspects(sheet, &mut rows, options);
     mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
     if rows.iter().any(|row| row.expected().is_none()) {

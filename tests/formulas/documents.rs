@@ -1429,7 +1429,6 @@ fn letters_that_a_document_uses_in_another_way_are_not_guessed() {
         &["A^* A = A A^*"],
         &["i_1 = i_2 + i_3", "u = R i", "P = u i", "P = -R"],
         &["x_i = a + i h", "x_i^4 = (a + i h)^4", "i^2 h = -h"],
-        &["e^{i k x} = x_i", "i^2 = -1"],
         &[r"r (1 + e) = a (1 - e^2)"],
         &[r"\mathcal{L} f g = g \mathcal{L} f"],
         &[r"\sigma_x \sigma_y = \sigma_y \sigma_x"],
@@ -1452,6 +1451,15 @@ fn letters_that_a_document_uses_in_another_way_are_not_guessed() {
         );
     }
     assert_eq!(last(&["i^2 = -1"]), proved);
+    let found = decisions(&document(
+        "\\[ z = e^{i k x_i} \\] \\[ (a + i b)(a - i b) = a^2 + b^2 \\]",
+        &[],
+    ));
+    let row = found.last().unwrap();
+    assert_eq!(
+        (row.verdict, row.readings.as_slice()),
+        (Verdict::Proved, &["`i`: the imaginary unit".to_owned()][..])
+    );
     assert_eq!(last(&[r"e^{i x} = \cos x + i \sin x"]), proved);
     assert_eq!(last(&[r"2 \times 3 x = 6 x"]), proved);
     assert_eq!(last(&[r"x^2 = 1 \Rightarrow x = \pm 1"]), proved);
@@ -2461,4 +2469,63 @@ fn what_is_a_matter_of_print_is_read_as_it_is_meant() {
             decision.reason
         );
     }
+}
+
+#[test]
+fn words_between_rows_part_them() {
+    let text = r"
+\begin{align}
+  V &= I R \\
+  V &= 2 I R - I R
+  \intertext{Twice that is}
+  2 V &= 2 I R
+\end{align}";
+    assert_eq!(verdicts(&document(text, &[])), ["1 given", "2 proved", "3 proved"]);
+}
+
+#[test]
+fn equations_of_one_display_hold_together_and_others_may_give_a_letter_a_new_meaning() {
+    let system = r"
+\begin{align}
+  \tau &= K I \\
+  \tau &= J \alpha \\
+  V &= R I
+\end{align}
+Then
+\[ V = \frac{R \tau}{K} \]
+\[ V = \frac{R J \alpha}{K} \]
+\[ J \alpha = \frac{K V}{R} \]
+";
+    let found = verdicts(&document(system, &[]));
+    let proved = ["line 8 proved", "line 9 proved", "line 10 proved"];
+    assert_eq!(found[3..], proved, "the second value of V is proved to be the first");
+    let roots = "The roots are\n\\begin{align} x &= a \\\\ x &= b \\end{align}\n\\[ a = b \\]\n";
+    assert_ne!(verdicts(&document(roots, &[])).last().unwrap(), "line 3 proved");
+    let parted = r"
+\[ \tau = K I \]
+Now something else.
+\[ \tau = J \alpha \]
+\[ K I = J \alpha \]
+";
+    assert_ne!(verdicts(&document(parted, &[])).last().unwrap(), "line 5 proved");
+}
+
+#[test]
+fn a_claim_may_follow_from_what_the_text_in_front_of_it_names() {
+    let text = |words: &str| {
+        format!(
+            r"
+\begin{{equation}}\label{{force}} F = \rho v_1^2 A_1 - \rho v_3^2 A_3 \end{{equation}}
+\begin{{equation}}\label{{mass}} \rho v_1 A_1 = \rho v_3 A_3 \end{{equation}}
+{words}
+\begin{{equation}} F = \rho v_1 A_1 (v_1 - v_3) \end{{equation}}
+"
+        )
+    };
+    let last = |words: &str| verdicts(&document(&text(words), &[])).pop().unwrap();
+    assert_eq!(last(r"By \eqref{mass} this is"), "3 proved");
+    assert_eq!(last("it follows that"), "3 proved");
+    assert_ne!(last("This is"), "3 proved");
+    assert_ne!(last(r"In contrast to \eqref{mass}, some print"), "3 proved");
+    assert_ne!(last(r"By \eqref{force} this is"), "3 proved");
 }

@@ -58,7 +58,7 @@ fn the_kernel_makes_its_values_in_one_place_each() {
 }
 
 /// The functions that name one of the two verdicts as a value, and why they may.
-const MAKERS: [(&str, &str, &str); 6] = [
+const MAKERS: [(&str, &str, &str); 8] = [
     (
         "crates/claims/src/document/comment.rs",
         "verdict",
@@ -78,6 +78,16 @@ const MAKERS: [(&str, &str, &str); 6] = [
         "crates/prover/src/decision.rs",
         "conclude",
         "takes decisions on goals, which are all proved",
+    ),
+    (
+        "crates/prover/src/decision.rs",
+        "on_doubts",
+        "keeps a verdict of the kernel back that rests on second values",
+    ),
+    (
+        "crates/prover/src/decision.rs",
+        "settle_second_values",
+        "gives it back where these are proved",
     ),
     (
         "crates/prover/src/script.rs",

@@ -186,6 +186,13 @@ impl Sheet {
         };
         let mut found: Vec<DoubtKind> = claim.guessed.iter().cloned().map(DoubtKind::Guess).collect();
         let below = self.below(claim);
+        // what is printed again holds in whatever meaning it did
+        let mut given = claim.follows_from.iter().filter_map(|&at| self.entries.get(at));
+        if given.any(|own| own.equations == claim.equations && own.assume.is_empty()) {
+            let marked = claim.doubts.iter().map(|doubt| &doubt.kind);
+            found.extend(marked.filter(|kind| matches!(kind, DoubtKind::Marked(_))).cloned());
+            return found;
+        }
         let read = std::iter::once(claim).chain(below.iter().copied());
         let read = read.flat_map(|entry| &entry.doubts).map(|doubt| &doubt.kind);
         for kind in read.filter(|kind| self.is_plausible(kind, claim, &below)) {

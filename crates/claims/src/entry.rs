@@ -146,6 +146,12 @@ pub(super) struct RawEntry {
     /// What the notation leaves open, a question each: with one of them nothing is proved either.
     #[serde(default)]
     pub doubts: Vec<String>,
+    /// Letters of it and of what it follows from that are taken for the numbers `e` and `i`, though nothing says so.
+    #[serde(default)]
+    pub constants: Vec<String>,
+    /// Labels of formulas that it follows from and that give a letter another value than one before.
+    #[serde(default)]
+    pub second_values: Vec<String>,
     /// Letters of it and of what it follows from that need not commute.
     #[serde(default)]
     pub operators: Vec<String>,
@@ -184,6 +190,8 @@ impl RawEntry {
             guessed: Vec::new(),
             standing: Standing::Said,
             doubts: Vec::new(),
+            constants: Vec::new(),
+            second_values: Vec::new(),
             operators: Vec::new(),
             identities: Vec::new(),
             columns: false,
@@ -1190,9 +1198,14 @@ pub(super) fn read_entry(
             .chain(beside)
             .chain(conditions),
     );
-    let open = raw.doubts.iter().cloned().map(DoubtKind::Open);
-    let marked = raw.marked.iter().cloned().map(DoubtKind::Marked);
-    doubts.extend(open.chain(marked).map(|kind| Doubt {
+    let kinds: [(&[String], fn(String) -> DoubtKind); 4] = [
+        (&raw.doubts, DoubtKind::Open),
+        (&raw.constants, DoubtKind::Constant),
+        (&raw.second_values, DoubtKind::SecondValue),
+        (&raw.marked, DoubtKind::Marked),
+    ];
+    let kinds = kinds.iter().flat_map(|(list, kind)| list.iter().cloned().map(kind));
+    doubts.extend(kinds.map(|kind| Doubt {
         kind,
         at: At::default(),
     }));

@@ -222,9 +222,7 @@ impl WordQuestion {
             reader.give(&local.name, &local.tree);
         }
         let mut premises = Vec::new();
-        for value in reader.values.values().cloned().collect::<Vec<_>>() {
-            let _ = reader.expanded(&value, 0);
-        }
+        reader.keep_readable();
         for premise in &statements.premises {
             let is_plain = premise.assume.is_empty() && premise.equation.relation == Relation::Equal;
             match &premise.equation.left {
@@ -235,6 +233,7 @@ impl WordQuestion {
                 _ => premises.push(&premise.equation),
             }
         }
+        reader.keep_readable();
         // what cannot be written in words is not used
         let mut givens: Vec<Words> = Vec::new();
         for premise in premises {
@@ -335,6 +334,20 @@ impl<'a> Reader<'a> {
             self.values.insert(name.clone(), value.clone());
         }
         may_have
+    }
+
+    /// Forgets the values that cannot be written in words.
+    fn keep_readable(&mut self) {
+        let values: Vec<(Name, Tree)> = self
+            .values
+            .iter()
+            .map(|(name, value)| (name.clone(), value.clone()))
+            .collect();
+        for (name, value) in values {
+            if self.expanded(&value, 0).is_none() {
+                self.values.remove(&name);
+            }
+        }
     }
 
     /// Returns true if an equation holds in every ring.

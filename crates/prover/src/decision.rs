@@ -7,7 +7,8 @@ use texmath::{DoubtKind, Equation};
 
 /// What was decided of one claim, and why.
 ///
-/// The verdict is set by `accept_proofs`, `accept_refutation` and `conclude` alone, or is `undecided` or `unread`. There is no
+/// The verdict is set by `accept_proofs`, `accept_refutation` and `conclude` alone, or is `undecided` or `unread`; `on_doubts` may
+/// keep it back, and `settle_second_values` gives it back. There is no
 /// default: that of a verdict is the one that a sheet expects, `proved`.
 #[derive(Clone, Debug)]
 pub struct Decision {
@@ -34,13 +35,29 @@ pub struct Decision {
     pub is_vacuous: bool,
     /// True if it would be refuted should the guess be right.
     pub fails: bool,
+    /// A proof that rests on second values of letters, which may be new meanings of these unless they are proved themselves.
+    pub(super) waiting: Option<Waiting>,
     /// The other meanings that its premises may have, where they bear on the verdict.
     pub(super) doubts: Vec<DoubtKind>,
     /// Line and column in the file: of what cannot be read, else of the formula.
     pub place: Option<(usize, usize)>,
 }
 
+/// A verdict that waits for others.
+#[derive(Clone, Debug)]
+pub(super) struct Waiting {
+    /// The formulas that must be proved.
+    labels: Vec<String>,
+    verdict: Verdict,
+    reason: String,
+}
+
 impl Decision {
+    /// Returns the verdict once the second values of letters that a proof rests on are proved.
+    pub(super) fn found(&self) -> Verdict {
+        self.waiting.as_ref().map_or(self.verdict, |waiting| waiting.verdict)
+    }
+
     /// Adds what the verdict holds under.
     pub(super) fn provide(&mut self, conditions: impl IntoIterator<Item = String>) {
         for condition in conditions {
@@ -104,6 +121,7 @@ impl Decision {
     /// Makes the decision on a formula that it is given.
     pub(super) fn given(mut self, reason: String) -> Self {
         (self.verdict, self.reason) = (Verdict::Given, reason);
+        self.provided.clear();
         self
     }
 
@@ -126,6 +144,7 @@ impl Decision {
             point: Vec::new(),
             is_vacuous: false,
             fails: false,
+            waiting: None,
             place: entry.map(|entry| entry.tex.place()),
         }
     }
@@ -165,6 +184,18 @@ impl Decision {
             };
             self.reason = format!("{}{link}{}", self.reason, joined(&guesses));
         }
+        let second_value = |kind: &&DoubtKind| match kind {
+            DoubtKind::SecondValue(label) => Some(label.clone()),
+            _ => None,
+        };
+        let labels: Option<Vec<String>> = binding.iter().map(second_value).collect();
+        self.waiting = labels
+            .filter(|labels| !labels.is_empty() && !is_refuted)
+            .map(|labels| Waiting {
+                labels,
+                verdict: self.verdict,
+                reason: self.reason.clone(),
+            });
         if !binding.is_empty() {
             self.reason = format!("{}; it may be meant in another way: {}", self.reason, joined(&binding));
         }
@@ -199,6 +230,23 @@ impl Decision {
             return Err(Box::new(Self { reason, ..decision }));
         }
         Statements::gather(sheet, position).map_err(|fault| unread(&fault))
+    }
+}
+
+/// Takes the proofs of decisions, in the order of their formulas, that rest on second values of letters, where these are proved: what
+/// follows from what stands before gives no letter a new meaning.
+pub fn settle_second_values<'a>(decisions: impl Iterator<Item = &'a mut Decision>) {
+    let mut proved: HashSet<String> = HashSet::new();
+    for decision in decisions {
+        if let Some(waiting) = decision.waiting.take()
+            && waiting.labels.iter().all(|label| proved.contains(label))
+        {
+            decision.verdict = waiting.verdict;
+            decision.reason = waiting.reason;
+        }
+        if decision.verdict == Verdict::Proved {
+            proved.insert(decision.label.clone());
+        }
     }
 }
 

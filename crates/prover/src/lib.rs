@@ -42,7 +42,7 @@ mod values;
 mod words;
 
 pub use counterexample::Counterexample;
-pub use decision::{Decision, mention_refuted};
+pub use decision::{Decision, mention_refuted, settle_second_values};
 pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
@@ -123,7 +123,7 @@ fn given_unread(standing: Standing, fault: &Fault) -> String {
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let mut search = Search::of(sheet, position, options);
     search.kept = Some(Vec::new());
-    let verdict = search.decide_readings(sheet, position).verdict;
+    let verdict = search.decide_readings(sheet, position).found();
     let mut kept = search.kept.unwrap_or_default();
     kept.retain(|one| one.found.verdict() == verdict);
     kept
@@ -167,7 +167,7 @@ pub(crate) fn proof_in_words(
     options: &Options,
 ) -> Option<(WordQuestion, kernel::WordProof)> {
     let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
-    let is_one = decision.verdict == Verdict::Proved && decision.rules.contains(&Rule::Words);
+    let is_one = decision.found() == Verdict::Proved && decision.rules.contains(&Rule::Words);
     let (question, found, _) = is_one.then(|| in_words(sheet, position)).flatten()?;
     Some((question, found))
 }
@@ -795,6 +795,7 @@ pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::
 pub fn audit(sheet: &Sheet, options: &Options) -> Vec<Decision> {
     let rows = sheet.rows().into_iter();
     let mut decisions: Vec<Decision> = rows.map(|position| decide(sheet, position, options)).collect();
+    settle_second_values(decisions.iter_mut());
     mention_refuted(sheet, decisions.iter_mut());
     decisions
 }

@@ -59,6 +59,10 @@ pub enum DoubtKind {
     Factor { factor: String, premise: String },
     /// What was guessed of a formula that nothing is said of.
     Guess(String),
+    /// `e` or `i` in a document that does not say that it is the number, taken for it.
+    Constant(String),
+    /// A formula of a document that gives a letter another value, taken to hold beside the first.
+    SecondValue(String),
     /// What a document leaves open, as a letter before a bracket.
     Open(String),
     /// That letters are marked as more than real numbers.
@@ -100,6 +104,7 @@ impl DoubtKind {
             Self::TotalDerivative { .. }
             | Self::PowerOfSign { .. }
             | Self::OddRoot { .. }
+            | Self::SecondValue(_)
             | Self::Open(_)
             | Self::Marked(_) => false,
             _ => true,
@@ -201,7 +206,16 @@ impl DoubtKind {
                 place: format!("`{name}` tends to a value"),
                 meanings: [format!("for every `{name}`"), "near that value".to_owned()],
             },
-            Self::Factor { .. } | Self::Guess(_) | Self::Open(_) | Self::Marked(_) => return None,
+            Self::Constant(letter) => {
+                let number = match letter.as_str() {
+                    "e" => "the base of logarithms",
+                    _ => "the imaginary unit",
+                };
+                Choice::of(format!("`{letter}`"), number, "a letter")
+            }
+            Self::SecondValue(_) | Self::Factor { .. } | Self::Guess(_) | Self::Open(_) | Self::Marked(_) => {
+                return None;
+            }
         };
         Some(choice)
     }
@@ -230,6 +244,7 @@ impl fmt::Display for DoubtKind {
                 f,
                 "({premise}) can be solved where `{factor}` is not 0: 0 too, or divided by?"
             ),
+            (None, Self::SecondValue(label)) => write!(f, "({label}) may give its letter a new meaning"),
             (None, Self::Guess(what) | Self::Open(what) | Self::Marked(what)) => write!(f, "{what}"),
             (None, _) => Ok(()),
         }

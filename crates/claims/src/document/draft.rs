@@ -61,6 +61,8 @@ fn of_entry(entry: &RawEntry) -> String {
     let lists = [
         ("guessed", &entry.guessed),
         ("doubts", &entry.doubts),
+        ("constants", &entry.constants),
+        ("second_values", &entry.second_values),
         ("operators", &entry.operators),
         ("identities", &entry.identities),
         ("marked", &entry.marked),

@@ -18,7 +18,7 @@ use std::ops::Range;
 use texmath::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
     Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, has_dots, index_of, is_bold, is_constant,
-    is_opaque, letters, names_in, names_of, pair_of, read_display, read_name, with_commands,
+    is_opaque, letters, names_in, names_of, pair_of, read_display, read_name, speaks_of, with_commands,
 };
 use toml::Spanned;
 
@@ -54,6 +54,10 @@ pub(super) struct Asked<'a> {
     pub is_doubtful: bool,
     /// The place in the text from which it no longer holds.
     pub until: usize,
+    /// True if the rows of its display may hold one or the other.
+    pub has_alternatives: bool,
+    /// The labels of formulas that the text in front of it names.
+    pub cited: &'a [String],
 }
 
 /// The letters met so far, and the names that have a value, as they are printed.
@@ -77,6 +81,12 @@ pub(super) struct Guess {
     called: BTreeSet<String>,
     /// A letter that a formula in one letter gives, before a bracket with that one: `A(r`.
     applied: BTreeSet<String>,
+    /// The formulas so far that print alike, each a single equation.
+    printed: HashMap<String, Vec<String>>,
+    /// The first formula of the display of each formula.
+    displays: Vec<usize>,
+    /// Equations that give a letter its second value in the display of the first: both hold, as of a system.
+    joint: HashSet<String>,
     /// The question that each formula leaves open, by its label.
     open: HashMap<String, &'static str>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
@@ -226,6 +236,8 @@ struct Constants {
     i: bool,
     /// It numbers what it stands at.
     i_is_index: bool,
+    /// It is numbered, as the letter of a current: `i_1`.
+    i_is_numbered: bool,
 }
 
 impl Constants {
@@ -233,7 +245,10 @@ impl Constants {
         matches!(tree, Tree::Symbol(name, _) if is_constant(name) && name.base == letter)
     }
 
+    const LETTERS: [&str; 2] = ["e", "i"];
+
     fn read(&mut self, equation: &Equation) {
+        self.i_is_index |= has_index(equation, "i");
         let is_i = |node: &Tree| Self::is_letter(node, "i");
         let is_minus_one =
             matches!(&equation.right, Tree::Negate(one) if matches!(one.as_ref(), Tree::Number(one) if one.0.is_one()));
@@ -248,10 +263,6 @@ impl Constants {
                     Tree::Call(name, argument, _) if name.base == r"\exp" => {
                         self.i |= any(argument, &mut |node| is_i(node));
                     }
-                    Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-                        let mut indices = name.subscript.split(|c: char| !c.is_alphabetic());
-                        self.i_is_index |= indices.any(|index| index.len() < 3 && index.contains('i'));
-                    }
                     _ => {}
                 }
                 false
@@ -259,10 +270,55 @@ impl Constants {
         }
     }
 
-    /// Whether this is one of the letters, and maybe not the number.
-    fn is_doubtful(&self, node: &Tree) -> bool {
-        (Self::is_letter(node, "e") && !self.e) || (Self::is_letter(node, "i") && (!self.i || self.i_is_index))
+    /// Returns true if one of the letters stands in equations, and nothing in the document says that it is the number.
+    fn is_doubtful(&self, letter: &str, equations: &[&Equation]) -> bool {
+        let is_said = match letter {
+            "e" => self.e,
+            _ => self.i && !self.i_is_index && !self.i_is_numbered,
+        };
+        let is_met = |equation: &&Equation| {
+            let mut is_it = |node: &Tree| Self::is_letter(node, letter) && !binds_it(equation, node);
+            any_side(equation, &mut is_it)
+        };
+        !is_said && equations.iter().any(is_met)
     }
+}
+
+/// Returns true if a letter stands in an index of an equation.
+fn has_index(equation: &Equation, letter: &str) -> bool {
+    any_side(equation, &mut |node| match node {
+        Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+            let mut indices = name.subscript.split(|c: char| !c.is_alphabetic());
+            indices.any(|index| index.len() < 3 && index.contains(letter))
+        }
+        _ => false,
+    })
+}
+
+/// Returns true if a letter may number something in an equation: it stands in an index, is bound, or stands in the exponent of
+/// another number than e.
+fn numbers_by(equation: &Equation, letter: &str) -> bool {
+    let is_it = |node: &Tree| Constants::is_letter(node, letter);
+    has_index(equation, letter)
+        || any_side(equation, &mut |node| match node {
+            Tree::Operation(operation, _) => operation.letter().is_some_and(|bound| bound.to_string() == letter),
+            Tree::RealPower(of, exponent, _) => {
+                !Constants::is_letter(of, "e") && any(exponent, &mut |node| is_it(node))
+            }
+            _ => false,
+        })
+}
+
+/// What the notation of a claim leaves open, that of what it follows from included.
+pub(super) struct OpenQuestions {
+    /// Questions, with one of which nothing is proved.
+    pub doubts: Vec<String>,
+    /// Letters that are taken for the numbers `e` and `i`.
+    pub constants: Vec<String>,
+    /// Labels of formulas that give a letter another value than one before.
+    pub second_values: Vec<String>,
+    /// Letters that are more than real numbers.
+    pub marked: Marked,
 }
 
 /// Returns true if a formula prints an upright i as a factor, or the root of a negative number.
@@ -391,6 +447,9 @@ const TIME: &str = "t";
 
 /// Equations, with their chains, that a claim is taken to follow from beside definitions, at most.
 const MOST_PREMISES: usize = 2;
+
+/// The most formulas that the text names of which a claim may follow.
+const MOST_CITED: usize = 6;
 
 /// Readings of all formulas for values and functions that others depend on; after them no function is taken to be given.
 const MOST_ROUNDS: usize = 5;
@@ -612,7 +671,7 @@ impl Guess {
             let numbered = |name: &Name| name.base == "i" && !name.subscript.is_empty() && name.accents.is_empty();
             let mut all = names.clone();
             names_in(&equation.left, &mut all);
-            constants.i_is_index |= all.iter().any(numbered);
+            constants.i_is_numbered |= all.iter().any(numbered);
             if let Tree::Symbol(name, _) = &equation.left {
                 let mut letters = names.iter().filter(|name| !is_constant(name));
                 if let (Some(one), None) = (letters.next(), letters.next()) {
@@ -648,7 +707,7 @@ impl Guess {
             false => Marks::new(
                 shown.zip(read.iter().map(Vec::as_slice)),
                 &commutators,
-                !constants.i_is_index,
+                !constants.i_is_index && !constants.i_is_numbered,
                 has_matrices,
                 members.clone(),
             ),
@@ -677,6 +736,9 @@ impl Guess {
             definitions: HashMap::new(),
             in_passing: HashSet::new(),
             places: formulas.iter().map(|formula| formula.part.start).collect(),
+            displays: formulas.iter().map(|formula| formula.first).collect(),
+            joint: HashSet::new(),
+            printed: HashMap::new(),
             scopes: BTreeMap::new(),
             asides: Vec::new(),
             premises: Vec::new(),
@@ -724,6 +786,7 @@ impl Guess {
             return None;
         }
         let new = self.defined_until(equation, at, until);
+        self.remember(equation, label);
         let mut names = self.names_of([equation]);
         let below = self.definitions_of(&names);
         let role = match &new {
@@ -760,6 +823,8 @@ impl Guess {
             is_founded,
             is_doubtful,
             until,
+            has_alternatives,
+            cited,
         } = asked;
         self.numbers.insert(label.to_owned(), at);
         if let Some(open) = self.question(at, tex).or_else(|| self.question_beside(at, is_link)) {
@@ -808,22 +873,38 @@ impl Guess {
             .second_value(&equations)
             .filter(|_| is_guess && !is_link && new.is_none())
         {
+            let display = |at: &usize| self.displays.get(*at);
+            let first = self.definitions.get(&name).and_then(|label| self.numbers.get(label));
+            let is_of_system = !is_doubtful && !has_alternatives && first.and_then(display) == display(&at);
+            // x = A x + b says something of x
+            let is_implicit = |own: &Equation| speaks_of(&own.right, &name);
+            if is_of_system || equations.iter().any(is_implicit) {
+                self.joint.insert(label.to_owned());
+            }
             self.again.entry(name).or_default().push(label.to_owned());
         }
         if is_guess && role == Role::Claim {
-            let reached = self.reached(&names);
-            let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
-            below.extend(again.filter(|own| *own != label).cloned());
-            below.extend(self.premises.iter().cloned());
+            if let Some(known) = self.printed_before(&equations) {
+                below.push(known);
+            } else {
+                let reached = self.reached(&names);
+                let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
+                below.extend(again.filter(|own| *own != label).cloned());
+                below.extend(self.premises.iter().cloned());
+                if !may_be_law && let [equation] = equations.as_slice() {
+                    below.extend(self.premises_of(equation));
+                    below.extend(self.cited(equation, cited));
+                }
+            }
             let is_plain = self.conflict(at).is_none() && !self.open.contains_key(label) && loose.is_none();
             let is_marked = names.iter().any(|name| self.marks.has(name));
-            if !may_be_law && let [equation] = equations.as_slice() {
-                below.extend(self.premises_of(equation));
-            }
             // what is derived may be wrong: only what is said is a premise, or an equation of matrices, which nobody rounds
             if is_plain && (may_be_law || (is_link && self.may_be_law(&equations, &names)) || (is_marked && !is_link)) {
                 self.state(label, &equations, is_link);
             }
+        }
+        if let [equation] = equations.as_slice() {
+            self.remember(equation, label);
         }
         let (mut guessed, mut assume) = (Vec::new(), Vec::new());
         if role == Role::Claim {
@@ -1032,6 +1113,46 @@ impl Guess {
         found
     }
 
+    /// The formula before that says the same, in which nothing is open, among those that claims may follow from.
+    fn printed_before(&self, claim: &[Equation]) -> Option<String> {
+        let [claim] = claim else { return None };
+        let is_given = |label: &&String| {
+            let mut again = self.again.values().flatten();
+            !self.open.contains_key(*label)
+                && (self.is_stated(label)
+                    || self.definitions.values().any(|own| own == *label)
+                    || again.any(|own| own == *label)
+                    || self.premises.contains(label))
+        };
+        let printed = self.printed.get(&claim.to_string());
+        printed.into_iter().flatten().find(is_given).cloned()
+    }
+
+    /// Remembers how an equation prints.
+    fn remember(&mut self, equation: &Equation, label: &str) {
+        self.printed
+            .entry(equation.to_string())
+            .or_default()
+            .push(label.to_owned());
+    }
+
+    /// Those of the formulas that the text in front of a claim names from which it may follow: equations before it that are read and
+    /// leave nothing open. A claim whose sides have the same letters needs none.
+    fn cited(&self, claim: &Equation, cited: &[String]) -> Vec<String> {
+        if cited.is_empty() || self.leaves(&claim.left) == self.leaves(&claim.right) {
+            return Vec::new();
+        }
+        let is_usable = |label: &&String| {
+            let equations = self.numbers.get(*label).and_then(|&at| self.read.get(at));
+            let equations = equations.filter(|_| !self.open.contains_key(*label));
+            equations.is_some_and(|own| {
+                matches!(own.as_slice(), [equation] if equation.relation == Relation::Equal)
+                    && question_below(own).is_none()
+            })
+        };
+        cited.iter().filter(is_usable).take(MOST_CITED).cloned().collect()
+    }
+
     /// Why formula number `at` is not read beside the others: a letter in it has two meanings.
     pub fn conflict(&self, at: usize) -> Option<String> {
         let is_pair = |node: &Tree| matches!(node, Tree::Symbol(name, _) if self.is_pair_of_functions(name));
@@ -1120,8 +1241,6 @@ impl Guess {
                 Some(MAY_BE_OPERATORS)
             } else if is_some(&mut |node| has_index_above(node)) {
                 Some("an index, or an exponent?")
-            } else if is_some(&mut |node| self.constants.is_doubtful(node) && !binds_it(equation, node)) {
-                Some("is `e` or `i` the number?")
             } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
                 Some("a letter of a constant that the document gives a value")
             } else if is_some(&mut |node| self.is_modulus(node)) {
@@ -1132,8 +1251,8 @@ impl Guess {
         })
     }
 
-    /// Returns the assumptions that the notation of a claim makes, a clause each; `below` lists the formulas that each follows from.
-    pub fn doubts(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> (Vec<String>, Marked) {
+    /// Returns what the notation of a claim leaves open; `below` lists the formulas that each follows from.
+    pub fn open_questions(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> OpenQuestions {
         let equations = |label: &str| {
             self.numbers
                 .get(label)
@@ -1166,7 +1285,8 @@ impl Guess {
         if all.any(|equation| self.marks.inverts_a_rectangle(equation)) {
             doubts.push("the inverse of a matrix that is not square?".to_owned());
         }
-        let again: BTreeSet<&String> = self.again.values().flatten().collect();
+        let again = self.again.values().flatten();
+        let again: BTreeSet<&String> = again.filter(|own| !self.joint.contains(*own)).collect();
         let (rivals, others): (Vec<&String>, Vec<&String>) =
             labels.iter().copied().partition(|own| again.contains(own));
         let others: Vec<&Equation> = others.iter().flat_map(|own| equations(own)).collect();
@@ -1177,11 +1297,24 @@ impl Guess {
                 reader.give(name, &equation.right);
             }
         }
-        let rival = rivals
+        let second_values = rivals
             .into_iter()
-            .find(|own| !equations(own).all(|equation| reader.has_identity(equation)));
-        doubts.extend(rival.map(|own| format!("({own}) may give its letter a new meaning")));
+            .filter(|own| !equations(own).all(|equation| reader.has_identity(equation)))
+            .cloned()
+            .collect();
+        let mut constants = Vec::new();
         if !self.has_symbols {
+            let all: Vec<&Equation> = stated.own.iter().chain(&stated.below).copied().collect();
+            for letter in Constants::LETTERS
+                .into_iter()
+                .filter(|letter| self.constants.is_doubtful(letter, &all))
+            {
+                let is_letter = letter == "i" && (!self.constants.i || self.constants.i_is_numbered);
+                match is_letter || all.iter().any(|equation| numbers_by(equation, letter)) {
+                    true => doubts.push(format!("`{letter}`: the number, or a letter?")),
+                    false => constants.push(letter.to_owned()),
+                }
+            }
             let own = labels.iter().map(|label| label.as_str()).chain([label.as_str()]);
             let open = own
                 .filter_map(|label| self.open.get(label))
@@ -1206,7 +1339,12 @@ impl Guess {
                 doubts.push(argument);
             }
         }
-        (doubts, marked)
+        OpenQuestions {
+            doubts,
+            constants,
+            second_values,
+            marked,
+        }
     }
 
     /// Returns the doubt about formulas that share a letter, if it has a value of its own in a part of the text, and some of them

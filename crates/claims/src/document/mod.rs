@@ -2,6 +2,7 @@
 //! what nobody says is guessed, and called a guess.
 
 mod asides;
+mod citations;
 mod comment;
 mod draft;
 mod factors;
@@ -22,6 +23,7 @@ use super::fault::{Fault, File, Source, Text};
 use super::sheet::{RawSheet, Sheet};
 use super::symbols::RawSymbols;
 use super::verdict::Verdict;
+use citations::{Cited, citations};
 use comment::{Key, completed, keys};
 use guess::{Asked, Guess};
 use members::Members;
@@ -98,6 +100,8 @@ struct Whole {
     /// Roles of formulas that say nothing, from this formula on.
     defaults: Vec<(usize, Option<Role>)>,
     members: Members,
+    /// What the text in front of each display names.
+    citations: Vec<Cited>,
 }
 
 impl Document {
@@ -127,6 +131,7 @@ impl Document {
         let (mut whole, mut numbers) = (
             Whole {
                 members,
+                citations: citations(&scan.text, &scan.formulas),
                 ..Whole::default()
             },
             Vec::new(),
@@ -499,6 +504,7 @@ fn entries(
             links.insert(label.clone(), chain);
         }
     }
+    let cited = labels.cited(formulas, &whole.citations);
     for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
         let tex = formula.tex.clone().unwrap_or_default();
         // a default is of what states something
@@ -531,7 +537,12 @@ fn entries(
             role,
             is_founded: own.follows_from.is_some(),
             is_doubtful,
+            has_alternatives: whole
+                .citations
+                .get(formula.first)
+                .is_some_and(|cited| cited.has_alternatives),
             until: formula.until,
+            cited: cited.get(formula.first).map_or(&[][..], Vec::as_slice),
         });
         let mut unread = formula.tex.clone().err().or(own.problem).or_else(|| guess.conflict(at));
         let mut follows_from = guessed.follows_from;
@@ -592,8 +603,9 @@ fn entries(
         .collect();
     for entry in raw.equation.iter_mut().filter(|entry| entry.role == Role::Claim) {
         entry.guessed.extend(guess.beneath(entry.label.get_ref(), &below));
-        let (doubts, marked) = guess.doubts(entry, &below);
-        entry.doubts = doubts;
+        let open = guess.open_questions(entry, &below);
+        (entry.doubts, entry.constants, entry.second_values) = (open.doubts, open.constants, open.second_values);
+        let marked = open.marked;
         (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
         entry.has_more_said = whole.members.says_of(entry.tex.get_ref());
         entry.columns = !entry.operators.is_empty() && guess.may_have_columns && !whole.members.has_other_columns;
@@ -640,6 +652,29 @@ impl Labels {
                 shown.join(" and ")
             )),
         }
+    }
+}
+
+impl Labels {
+    /// The labels of what is named in front of each display, by the number of its first formula.
+    fn cited(&self, formulas: &[Formula], citations: &[Cited]) -> Vec<Vec<String>> {
+        let mut before: Option<usize> = None;
+        let mut last: Option<usize> = None;
+        let mut all = Vec::new();
+        for (formula, cited) in formulas.iter().zip(citations) {
+            if !formula.is_aside && last != Some(formula.first) {
+                (before, last) = (last, Some(formula.first));
+            }
+            let names = cited.names.iter().filter_map(|name| self.find(name).ok());
+            let mut found: Vec<String> = names.flatten().collect();
+            if let Some(before) = before.filter(|_| cited.goes_on) {
+                let rows = formulas.iter().zip(&self.own).skip(before);
+                let rows = rows.take_while(|(own, _)| own.first == before || own.is_aside);
+                found.extend(rows.filter(|(own, _)| !own.is_aside).map(|(_, label)| label.clone()));
+            }
+            all.push(found);
+        }
+        all
     }
 }
 

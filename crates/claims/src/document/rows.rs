@@ -59,6 +59,13 @@ const PAIRED: [&str; 11] = [
     "split",
 ];
 
+/// Commands of words between rows.
+const BETWEEN_ROWS: [&str; 2] = ["intertext", "shortintertext"];
+
+fn is_between_rows(command: Option<&str>) -> bool {
+    command.is_some_and(|command| BETWEEN_ROWS.contains(&command))
+}
+
 /// The most characters of a row, counted once for each of its columns.
 const MOST_COMPARED: usize = 1_000_000;
 
@@ -74,7 +81,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     // what is said outside a layer is said of all of it
     let mut own = text.get(body.clone()).unwrap_or_default().to_owned();
     let length = own.len();
-    let has_words = own.contains(r"\intertext") || own.contains(r"\shortintertext");
+    let has_words = BETWEEN_ROWS.iter().any(|name| own.contains(&format!("\\{name}")));
     whole.take_names(&mut own, 0..length);
     let (inner, name) = match layer(&own) {
         Some((name, inner)) => {
@@ -126,6 +133,11 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
                 start = at.end;
             }
             Outside::Column(at) => columns.push(at),
+            // words between rows end the one before them, with or without `\\`
+            Outside::Command(at) if is_between_rows(text.get(at.start + 1..at.end)) => {
+                end_of_row(text, start..at.start, &mut columns);
+                start = at.start;
+            }
             _ => {}
         }
     }
@@ -308,8 +320,7 @@ impl Row {
                             .to_owned(),
                     )
                 }
-                // words between rows
-                "intertext" | "shortintertext" => {}
+                name if is_between_rows(Some(name)) => {}
                 "nonumber" | "notag" => {
                     self.numbers = 0;
                     blank(text, at);

@@ -1,0 +1,169 @@
+//! The formulas that the text in front of a display names: `substituting \eqref{a} into \eqref{b}`.
+
+use super::scan::Formula;
+use std::ops::Range;
+
+/// The most bytes in front of a display that are looked at.
+const FARTHEST: usize = 800;
+
+/// Commands and roles that print the numbers of formulas, with what ends the list of names behind them.
+const REFERENCES: [(&str, char); 9] = [
+    (r"\eqref{", '}'),
+    (r"\ref{", '}'),
+    (r"\cref{", '}'),
+    (r"\Cref{", '}'),
+    (r"\autoref{", '}'),
+    (r"\labelcref{", '}'),
+    ("{eq}`", '`'),
+    ("{numref}`", '`'),
+    (":eq:`", '`'),
+];
+
+/// Words in a sentence that does not say that what it names holds.
+const AGAINST: [&str; 9] = [
+    "not",
+    "instead",
+    "unlike",
+    "contrast",
+    "contradicts",
+    "wrong",
+    "without",
+    "compare",
+    "cannot",
+];
+
+/// Words in front of a display whose rows may hold one or the other.
+const OF_ALTERNATIVES: [&str; 11] = [
+    "or",
+    "either",
+    "roots",
+    "solutions",
+    "cases",
+    "choices",
+    "options",
+    "alternatives",
+    "conditions",
+    "values",
+    "respectively",
+];
+
+/// What the text in front of a display names.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Cited {
+    /// What the formulas are called.
+    pub names: Vec<String>,
+    /// True if the sentence goes on from the display before it.
+    pub goes_on: bool,
+    /// True if the rows of the display may hold one or the other.
+    pub has_alternatives: bool,
+}
+
+impl Cited {
+    /// Returns what is named in front of the display whose first formula stands at `start`; the display before it ends at `before`.
+    pub fn of(text: &str, before: usize, start: usize) -> Self {
+        let from = before.max(start.saturating_sub(FARTHEST));
+        let between = (from..=start)
+            .find_map(|from| text.get(from..start))
+            .unwrap_or_default();
+        let between = uncommented(between);
+        let last = between.trim_end().rsplit("\n\n").next().unwrap_or_default();
+        let has_word = |word: &&str| {
+            last.split(|c: char| !c.is_alphabetic())
+                .any(|own| own.eq_ignore_ascii_case(word))
+        };
+        let has_alternatives = OF_ALTERNATIVES.iter().any(|word| has_word(&word));
+        if AGAINST.iter().any(|word| has_word(&word)) {
+            return Self {
+                has_alternatives,
+                ..Self::default()
+            };
+        }
+        let begins_small = behind_environment(&between).starts_with(|c: char| c.is_lowercase());
+        Self {
+            names: references(last),
+            goes_on: from == before && begins_small && !between.contains(". "),
+            has_alternatives,
+        }
+    }
+}
+
+/// What stands between two displays, without the end of the first.
+fn behind_environment(between: &str) -> &str {
+    let mut rest = between.trim_start();
+    loop {
+        let signs = rest.trim_start_matches(|c: char| c.is_whitespace() || "$,;.}]".contains(c));
+        let ended = signs.strip_prefix(r"\end{").and_then(|rest| rest.split_once('}'));
+        let ended = ended.map(|(_, rest)| rest).or_else(|| signs.strip_prefix(r"\]"));
+        match ended {
+            Some(next) => rest = next,
+            None => return signs,
+        }
+    }
+}
+
+/// The text without the comments of TeX.
+fn uncommented(text: &str) -> String {
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with('%'));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The names that references call, in their order.
+fn references(text: &str) -> Vec<String> {
+    let mut found: Vec<(usize, String)> = Vec::new();
+    for (command, end) in REFERENCES {
+        for (at, _) in text.match_indices(command) {
+            let names = text.get(at + command.len()..).and_then(|rest| rest.split_once(end));
+            let names = names.into_iter().flat_map(|(names, _)| names.split(','));
+            found.extend(names.map(|name| (at, name.trim().to_owned())));
+        }
+    }
+    found.sort();
+    found.into_iter().map(|(_, name)| name).collect()
+}
+
+/// What the text in front of each display names, by the number of its first formula.
+pub(super) fn citations(text: &str, formulas: &[Formula]) -> Vec<Cited> {
+    let displayed: Vec<(usize, &Range<usize>)> = formulas
+        .iter()
+        .enumerate()
+        .filter(|(_, formula)| !formula.is_aside)
+        .map(|(at, formula)| (at, &formula.part))
+        .collect();
+    let mut found = vec![Cited::default(); formulas.len()];
+    let mut before = 0;
+    for (at, part) in displayed {
+        let is_first = formulas.get(at).is_some_and(|formula| formula.first == at);
+        if let Some(own) = found.get_mut(at).filter(|_| is_first) {
+            *own = Cited::of(text, before, part.start);
+        }
+        before = before.max(part.end);
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cited(text: &str) -> Cited {
+        Cited::of(text, 0, text.len())
+    }
+
+    #[test]
+    fn the_last_paragraph_names_formulas() {
+        let found = cited(
+            "From \\eqref{old} it is clear.\n\nSubstituting Eqs.~\\eqref{a} and \\ref{b} into \\cref{c,d} gives\n\n",
+        );
+        assert_eq!(found.names, ["a", "b", "c", "d"]);
+        assert_eq!(cited("By {eq}`law`,\n").names, ["law"]);
+        assert!(cited("In contrast to \\eqref{a}, we have\n").names.is_empty());
+    }
+
+    #[test]
+    fn a_sentence_goes_on_from_the_display_before() {
+        assert!(cited("\n\\end{equation}\n%\nthe force is\n\\begin{equation}").goes_on);
+        assert!(cited("$$\n\nso that\n\n").goes_on);
+        assert!(!cited("\\end{equation}\nThe force is\n").goes_on);
+        assert!(!cited("\\end{equation}\nwhere m is a mass. The force is\n").goes_on);
+    }
+}
