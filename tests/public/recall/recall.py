@@ -4,8 +4,8 @@ A link is two sides of a chain with `=` between them that `tex.py` shows to be e
 with letters that the document defines before it put in. `recall.py --draw SEED` draws links over all documents and
 writes file, line, link (the number of its `=` on the line), kind of error and seed to `links.csv`. `recall.py` makes the
 error of each link, shows that it falsifies the link, runs the program (PROGRAM) on the original and on the changed
-document (all in DOCUMENTS, flat, as README.md says), prints the shares that were found and restored, and writes each case to `cases.csv`. Then it makes every kind
-of error in the links that were proved, and in each link by itself, without its document.
+document (all in DOCUMENTS, flat, as README.md says), prints the shares that were found and restored, and writes each case to `cases.csv` at once. Then it
+makes every kind of error in the links that were proved, and in each link by itself, without its document.
 """
 import csv, os, random, re, subprocess, sys
 from collections import Counter
@@ -178,28 +178,39 @@ def table(cases, columns):
         print(f"{name:28}{len(some):5} {len(hits):4} {100 * len(hits) / max(len(some), 1):3.0f}%  {exact:4} / {other}")
 
 
+def cases_of(wanted, originals, into, alone=False):
+    """Runs rows of `links.csv` and writes what came of each to a file as soon as it is known."""
+    cases = []
+    with open(os.path.join(HERE, into), "w", newline="") as file:
+        for row in wanted:
+            case = run_case(row, originals, alone)
+            if case:
+                rows = csv.DictWriter(file, case)
+                if not cases:
+                    rows.writeheader()
+                rows.writerow(case)
+                file.flush()
+                cases.append(case)
+    return cases
+
+
 def measure():
     originals, listed = {}, list(csv.DictReader(open(os.path.join(HERE, "links.csv"))))
-    cases = [run_case(row, originals) for row in listed]
-    proved = [row for row, case in zip(listed, cases) if case["verdict before"] == "proved"]
-    more = list(filter(None, (run_case({**row, "kind": kind}, originals) for row in proved for kind in KINDS)))
-    alone = list(filter(None, (run_case({**row, "kind": kind}, {}, True) for row in listed for kind in KINDS)))
-    for name, some in (("cases.csv", cases), ("proved.csv", more), ("alone.csv", alone)):
-        with open(os.path.join(HERE, name), "w", newline="") as file:
-            rows = csv.DictWriter(file, cases[0])
-            rows.writeheader()
-            rows.writerows(some)
+    each_kind = lambda rows: [{**row, "kind": kind} for row in rows for kind in KINDS]
+    cases = cases_of(listed, originals, "cases.csv")
     table(cases, ["kind", "class", "row", "verdict before", "verdict after"])
-    print("\nEvery kind of error in the", len(proved), "links that were proved (proved.csv):")
-    table(more, ["kind", "row", "verdict after"])
-    print("\nEvery kind of error in each link, alone in a document as the second row of a chain (alone.csv):")
-    table(alone, ["class", "verdict before", "verdict after", "kind"])
-    print("of these, proved before the error:")
-    table([case for case in alone if case["verdict before"] == "proved"], ["kind"])
-    print("\nundecided with `fails at` after the error:", sum(case["verdict after"] == "undecided" and "fails at" in case["reason"] for case in cases))
+    print("undecided with `fails at` after the error:", sum(case["verdict after"] == "undecided" and "fails at" in case["reason"] for case in cases))
     print("rows elsewhere that became suspect:", sum(case["elsewhere"] for case in cases))
     suspects = [(name, hit["place"]) for name, (rows, _) in originals.items() for hit in rows if hit["verdict"] in FLAGS]
     print("suspects in the", len(originals), "originals:", len(suspects), *suspects)
+    proved = [row for row, case in zip(listed, cases) if case["verdict before"] == "proved"]
+    print("\nEvery kind of error in the", len(proved), "links that were proved (proved.csv):", flush=True)
+    table(cases_of(each_kind(proved), originals, "proved.csv"), ["kind", "row", "verdict after"])
+    print("\nEvery kind of error in each link, alone in a document as the second row of a chain (alone.csv):", flush=True)
+    alone = cases_of(each_kind(listed), {}, "alone.csv", alone=True)
+    table(alone, ["class", "verdict before", "verdict after", "kind"])
+    print("of these, proved before the error:")
+    table([case for case in alone if case["verdict before"] == "proved"], ["kind"])
 
 
 if __name__ == "__main__":
