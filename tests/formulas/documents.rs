@@ -2501,6 +2501,8 @@ Then
     assert_eq!(found[3..], proved, "the second value of V is proved to be the first");
     let roots = "The roots are\n\\begin{align} x &= a \\\\ x &= b \\end{align}\n\\[ a = b \\]\n";
     assert_ne!(verdicts(&document(roots, &[])).last().unwrap(), "line 3 proved");
+    let step = "\\[ x = x_0 + g \\]\n\\[ x = x + h \\]\n\\[ x + 2 h = x_0 + g \\]\n";
+    assert_ne!(verdicts(&document(step, &[])).last().unwrap(), "line 3 proved");
     let parted = r"
 \[ \tau = K I \]
 Now something else.

@@ -848,3 +848,18 @@ fn powers_with_letters_as_exponents_are_multiplied_at_positive_bases() {
         assert_ne!(decide(wrong).0, Verdict::Proved, "{wrong}");
     }
 }
+
+#[test]
+fn an_antiderivative_may_be_asked_for_under_conditions_but_not_at_one_point() {
+    let decide = |tex: &str, assume: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['a', 'b', 'x']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '{tex}'\nassume = ['{assume}']\n"
+        );
+        let sheet = Sheet::read(&text, &vocabulary()).unwrap();
+        prove::decide(&sheet, 0, &Options::default()).verdict
+    };
+    assert_eq!(decide(r"\int \frac{1}{x} \, dx = \ln x + C", "x > 0"), Verdict::Proved);
+    let cosine = r"\int \cos(a x) \, dx = \frac{\sin(a x)}{a} + C";
+    assert_eq!(decide(cosine, "b = 1"), Verdict::Proved);
+    assert_eq!(decide(r"\int x \, dx = x + C", "x = 1"), Verdict::Undecided);
+}

@@ -47,10 +47,10 @@ const OF_ALTERNATIVES: [&str; 11] = [
     "respectively",
 ];
 
-/// What the text in front of a display names.
+/// The formulas that the text in front of a display names, and what it says of the display.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cited {
-    /// What the formulas are called.
+    /// Their labels or numbers.
     pub names: Vec<String>,
     /// True if the sentence goes on from the display before it.
     pub goes_on: bool,
@@ -87,7 +87,7 @@ impl Cited {
     }
 }
 
-/// What stands between two displays, without the end of the first.
+/// The text between two displays, without the end of the first.
 fn behind_environment(between: &str) -> &str {
     let mut rest = between.trim_start();
     loop {
@@ -121,7 +121,7 @@ fn references(text: &str) -> Vec<String> {
     found.into_iter().map(|(_, name)| name).collect()
 }
 
-/// What the text in front of each display names, by the number of its first formula.
+/// Returns for each display, by the number of its first formula, the formulas that the text in front of it names.
 pub(super) fn citations(text: &str, formulas: &[Formula]) -> Vec<Cited> {
     let displayed: Vec<(usize, &Range<usize>)> = formulas
         .iter()

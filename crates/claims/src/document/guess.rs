@@ -309,7 +309,7 @@ fn numbers_by(equation: &Equation, letter: &str) -> bool {
         })
 }
 
-/// What the notation of a claim leaves open, that of what it follows from included.
+/// Questions that the notation of a claim, and that of the formulas it follows from, leaves open.
 pub(super) struct OpenQuestions {
     /// Questions, with one of which nothing is proved.
     pub doubts: Vec<String>,
@@ -876,8 +876,13 @@ impl Guess {
             let display = |at: &usize| self.displays.get(*at);
             let first = self.definitions.get(&name).and_then(|label| self.numbers.get(label));
             let is_of_system = !is_doubtful && !has_alternatives && first.and_then(display) == display(&at);
-            // x = A x + b says something of x
-            let is_implicit = |own: &Equation| speaks_of(&own.right, &name);
+            // x = A x + b says something of x, and x = x + h gives it a new value
+            let is_itself = |term: &Tree| matches!(term, Tree::Symbol(own, _) if *own == name);
+            let is_step = |side: &Tree| match side {
+                Tree::Sum(terms) => terms.iter().any(is_itself),
+                side => is_itself(side),
+            };
+            let is_implicit = |own: &Equation| speaks_of(&own.right, &name) && !is_step(&own.right);
             if is_of_system || equations.iter().any(is_implicit) {
                 self.joint.insert(label.to_owned());
             }
@@ -1251,7 +1256,7 @@ impl Guess {
         })
     }
 
-    /// Returns what the notation of a claim leaves open; `below` lists the formulas that each follows from.
+    /// Returns the questions that the notation of a claim leaves open; `below` lists the formulas that each follows from.
     pub fn open_questions(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> OpenQuestions {
         let equations = |label: &str| {
             self.numbers

@@ -100,7 +100,7 @@ struct Whole {
     /// Roles of formulas that say nothing, from this formula on.
     defaults: Vec<(usize, Option<Role>)>,
     members: Members,
-    /// What the text in front of each display names.
+    /// The formulas that the text in front of each display names.
     citations: Vec<Cited>,
 }
 
@@ -656,7 +656,7 @@ impl Labels {
 }
 
 impl Labels {
-    /// The labels of what is named in front of each display, by the number of its first formula.
+    /// Returns for each display, by the number of its first formula, the labels of the formulas that are named in front of it.
     fn cited(&self, formulas: &[Formula], citations: &[Cited]) -> Vec<Vec<String>> {
         let mut before: Option<usize> = None;
         let mut last: Option<usize> = None;
