@@ -21,6 +21,8 @@ pub fn program<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Progr
     let mut command = Command::new(PATH);
     command
         .args(arguments)
+        // the program says to `.ci/mutants` for which test it runs
+        .env("RUNNING_TEST", std::thread::current().name().unwrap_or_default())
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .stdin(Stdio::null());
     Program { command, input: None }

@@ -116,6 +116,7 @@ fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
     let symbols = "title = 'readings'\n[symbols]\nparameters = ['x', 'y', 'a', 'b']\n";
     let given = equation("V", "definition", "V = a x^2 + b", "")
         + &equation("R", "definition", "R(x) = a x^3", "")
+        + &equation("L", "definition", r"L = \log 100", "")
         + &equation("S", "definition", r"S = \sum_{k=1}^{n} k", "");
     for (tex, from, verdict, reading) in [
         // usual, or the same in all
@@ -136,7 +137,29 @@ fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
             Verdict::Proved,
             "where the derivative is taken",
         ),
+        (
+            r"\frac{d}{dx} \log x = \frac{1}{x}",
+            "",
+            Verdict::Proved,
+            r"`\log`: natural",
+        ),
+        (
+            r"\log_{10} x = \frac{\log x}{\log 10}",
+            "",
+            Verdict::Proved,
+            r"`\log`: natural",
+        ),
+        (r"\log(2 x) - \log x = \log 2", "", Verdict::Proved, r"`\log`: natural"),
         // true in one of them
+        (r"\log 100 = 2", "", Verdict::Undecided, r"`\log`: natural"),
+        (r"\log 8 = 3", "", Verdict::Undecided, r"`\log`: natural"),
+        (
+            r"\log x = \frac{\ln x}{\ln 10}",
+            "",
+            Verdict::Undecided,
+            r"`\log`: natural",
+        ),
+        (r"L = 2", "L", Verdict::Undecided, r"`\log`: natural"),
         (r"\sin x y = y \sin x", "", Verdict::Undecided, r"`\sin(x) y`"),
         (r"\sin x y = \sin(x y)", "", Verdict::Undecided, r"`\sin(x) y`"),
         (r"a/b x = \frac{a}{b x}", "", Verdict::Undecided, r"`\frac{a}{b} x`"),
@@ -153,6 +176,8 @@ fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
         ),
         // false in all
         ("a/b x = a/b y", "", Verdict::Refuted, r"`\frac{a}{b} x`"),
+        (r"\log(3 x) = 3 \log x", "", Verdict::Refuted, r"`\log`: natural"),
+        (r"L = 3", "L", Verdict::Refuted, r"`\log`: natural"),
         (r"\cos x y/2 = 5", "", Verdict::Refuted, r"\cos(x) y"),
     ] {
         let from = if from.is_empty() {

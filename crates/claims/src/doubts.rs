@@ -4,6 +4,7 @@ use super::definition::letters_of;
 use super::entry::{Entry, Role, approached};
 use super::exponents::{is_at_times_whole, is_plainly_not_negative};
 use super::sheet::Sheet;
+use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{
     Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree, any, any_side, flies, holds,
@@ -24,7 +25,15 @@ enum Reading {
     Value { of: Name, inside: Tree, value: Tree },
     /// Powers with odd denominators as odd roots of all real numbers.
     OddRoots,
+    /// `\log x` as the logarithm to a base, in the claim and in what it rests on.
+    Logarithm { base: i64 },
 }
+
+/// The bases, beside that of the natural logarithm, to which `\log` may be one.
+const BASES: [i64; 2] = [10, 2];
+
+/// The function of a logarithm whose base is not printed.
+const LOG: &str = r"\log";
 
 impl Reading {
     /// Returns the tree in this reading; sets `met` if it contains the place.
@@ -41,6 +50,12 @@ impl Reading {
                     1 => root,
                     power => Tree::Power(Box::new(root), power, *at),
                 }
+            }
+            (Self::Logarithm { base }, Tree::Call(name, argument, at)) if name.base == LOG => {
+                *met = true;
+                let natural = |of: Tree| Box::new(Tree::Call(Name::plain(r"\ln"), Box::new(of), *at));
+                let below = Tree::Number(Rational::from_integer(*base));
+                Tree::Quotient(natural(self.of(argument, met)), natural(below), *at)
             }
             (Self::Value { of, inside, value }, Tree::Product(factors)) => {
                 let mut read: Vec<Tree> = Vec::new();
@@ -93,6 +108,36 @@ fn odd_root(exponent: &Tree) -> Option<(i32, u32)> {
 }
 
 impl Entry {
+    /// Returns the entry with all of its formulas in another reading.
+    fn reread(&self, reading: &Reading) -> Self {
+        let mut entry = self.clone();
+        let new = |side: &mut Tree| *side = reading.of(side, &mut false);
+        let beside = entry
+            .local
+            .iter_mut()
+            .chain(&mut entry.with)
+            .map(|(equation, _)| equation);
+        let assumed = entry.assume.iter_mut().map(|(condition, _)| condition);
+        let mut relations: Vec<&mut Equation> = Vec::new();
+        for condition in assumed {
+            match condition {
+                Condition::Relation(relation) => relations.push(relation),
+                Condition::Integer(tree) => new(tree),
+            }
+        }
+        let equations = entry
+            .equations
+            .iter_mut()
+            .chain(&mut entry.stated)
+            .chain(&mut entry.alternatives);
+        for equation in equations.chain(beside).chain(relations) {
+            new(&mut equation.left);
+            new(&mut equation.right);
+        }
+        entry.own.iter_mut().for_each(|local| new(&mut local.tree));
+        entry
+    }
+
     /// Returns the entry in other readings of its equations; `None` unless these contain all places.
     fn read_otherwise(&self, readings: &[&Reading]) -> Option<Self> {
         let mut entry = self.clone();
@@ -202,6 +247,7 @@ impl Sheet {
         }
         found.extend(self.powers_of_signs(claim, &below));
         found.extend(self.odd_roots(claim, &below));
+        found.extend(self.logarithm(claim, &below));
         found.extend(self.of_some(claim, &below).into_iter().map(DoubtKind::OfSome));
         found.extend(self.one_step(claim, &below));
         found.extend(tends(claim).map(DoubtKind::Tends));
@@ -235,7 +281,9 @@ impl Sheet {
         let mut elsewhere = beside
             .flat_map(|equation| [&equation.left, &equation.right])
             .chain(assumed);
-        let readings: Vec<&Reading> = places.iter().flat_map(|(_, readings)| readings).collect();
+        let is_joint = |reading: &&Reading| matches!(reading, Reading::Logarithm { .. });
+        let mut readings: Vec<&Reading> = places.iter().flat_map(|(_, readings)| readings).collect();
+        readings.retain(|reading| !is_joint(reading));
         if elsewhere.any(|side| readings.iter().any(|reading| reading.is_in(side))) {
             return none();
         }
@@ -246,10 +294,15 @@ impl Sheet {
                 choice /= readings.len() + 1;
                 chosen.extend(which.checked_sub(1).and_then(|which| readings.get(which)));
             }
-            claim.read_otherwise(&chosen).map(|claim| {
+            let (joint, own): (Vec<&Reading>, Vec<&Reading>) = chosen.into_iter().partition(is_joint);
+            claim.read_otherwise(&own).map(|claim| {
                 let mut sheet = self.clone();
                 if let Some(entry) = sheet.entries.get_mut(position) {
                     *entry = claim;
+                }
+                for reading in joint {
+                    let reread = sheet.entries.iter().map(|entry| entry.reread(reading));
+                    sheet.entries = reread.collect();
                 }
                 sheet
             })
@@ -265,6 +318,7 @@ impl Sheet {
         let (of, inside) = match kind {
             DoubtKind::Argument { of, inside, readings } if readings.is_empty() => (of, inside),
             DoubtKind::OddRoot { .. } => return vec![Reading::OddRoots],
+            DoubtKind::Logarithm { .. } => return BASES.map(|base| Reading::Logarithm { base }).into(),
             kind => return kind.readings().iter().cloned().map(Reading::Part).collect(),
         };
         let mut readings = Vec::new();
@@ -370,6 +424,22 @@ impl Sheet {
     fn is_of_impacts(&self, derivative: &Tree) -> bool {
         matches!(derivative, Tree::Partial { of, by, .. }
             if [of, by].iter().all(|name| self.symbols.impact(name).is_some()))
+    }
+
+    /// A logarithm whose base is not printed, in a claim or in what it rests on.
+    fn logarithm(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
+        let trees: Vec<&Tree> = std::iter::once(claim)
+            .chain(below.iter().copied())
+            .flat_map(|entry| entry.trees(&self.symbols))
+            .map(|(tree, _)| tree)
+            .collect();
+        let holds = |command: &str| {
+            let mut is_one = |node: &Tree| matches!(node, Tree::Call(name, ..) if name.base == command);
+            trees.iter().any(|tree| any(tree, &mut is_one))
+        };
+        holds(LOG).then(|| DoubtKind::Logarithm {
+            is_beside_ln: holds(r"\ln"),
+        })
     }
 
     /// The first power with an odd denominator of a base that may be negative.

@@ -49,6 +49,8 @@ pub enum DoubtKind {
     PowerOfSign { base: Tree, exponent: Tree },
     /// `x^{1/3}`, taken of bases that are not negative: the cube root is one of all real numbers.
     OddRoot { power: Tree },
+    /// `\log x`, taken as the natural logarithm; `\ln` beside it speaks for another base.
+    Logarithm { is_beside_ln: bool },
     /// A letter in a claim that nothing bounds, taken for every value.
     OfSome(Name),
     /// A premise that is written for one step of an index, taken for that step alone.
@@ -101,6 +103,7 @@ impl DoubtKind {
                 !readings.is_empty()
             }
             Self::Extent { is_usual, .. } => *is_usual,
+            Self::Logarithm { is_beside_ln } => !is_beside_ln,
             Self::TotalDerivative { .. }
             | Self::PowerOfSign { .. }
             | Self::OddRoot { .. }
@@ -197,6 +200,7 @@ impl DoubtKind {
                     format!("where `{exponent}` is an integer too"),
                 ],
             },
+            Self::Logarithm { .. } => Choice::of(r"`\log`".to_owned(), "natural", "to another base"),
             Self::OfSome(name) => Choice::of(format!("`{name}`"), "every value", "some value"),
             Self::OneStep { index } => Choice {
                 place: format!("the premises that take one `{index}` to the next"),
