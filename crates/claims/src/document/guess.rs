@@ -448,6 +448,9 @@ const TIME: &str = "t";
 /// Equations, with their chains, that a claim is taken to follow from beside definitions, at most.
 const MOST_PREMISES: usize = 2;
 
+/// The most second values of a letter, the last ones, of which a claim may follow.
+const MOST_SECOND_VALUES: usize = 8;
+
 /// The most formulas that the text names of which a claim may follow.
 const MOST_CITED: usize = 6;
 
@@ -893,8 +896,12 @@ impl Guess {
                 below.push(known);
             } else {
                 let reached = self.reached(&names);
-                let again = reached.iter().filter_map(|name| self.again.get(name)).flatten();
-                below.extend(again.filter(|own| *own != label).cloned());
+                let again = reached.iter().filter_map(|name| self.again.get(name));
+                for values in again {
+                    let others = values.iter().filter(|own| *own != label);
+                    let last = others.clone().count().saturating_sub(MOST_SECOND_VALUES);
+                    below.extend(others.skip(last).cloned());
+                }
                 below.extend(self.premises.iter().cloned());
                 if !may_be_law && let [equation] = equations.as_slice() {
                     below.extend(self.premises_of(equation));
