@@ -19,7 +19,7 @@ pub(super) struct Members {
     pub has_vectors: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
-    /// The letters of each side of an equation within the text that is more than a letter.
+    /// The letters of each equation within the text, but for those of a letter and a number.
     pub said: Vec<BTreeSet<String>>,
     /// True if words of the text may say that a product is less than it looks.
     pub says_more: bool,
@@ -159,13 +159,12 @@ impl Members {
         members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
         members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
-        let sides = inline
+        // `x = 2` says what x is, and no more
+        let is_more = |side: &str| side.trim().len() > 1 && !side.trim().starts_with(|c: char| c.is_ascii_digit());
+        let says = inline
             .iter()
-            .filter(|formula| formula.contains('='))
-            .flat_map(|formula| formula.split('='));
-        // `x = 2` says of x alone what it is
-        let says = sides.filter(|side| side.trim().len() > 1 && !side.trim().starts_with(|c: char| c.is_ascii_digit()));
-        members.said = says.map(|side| letters(side).collect()).collect();
+            .filter(|formula| formula.contains('=') && formula.split('=').any(is_more));
+        members.said = says.map(|formula| letters(formula).collect()).collect();
         members.says_more = ["idempotent", "nilpotent", "odulo"]
             .iter()
             .any(|word| text.contains(word));
@@ -282,8 +281,8 @@ impl Members {
         members
     }
 
-    /// Returns true if the text may say more of a formula than is read: a side of an equation within it speaks of letters of the
-    /// formula alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
+    /// Returns true if the text may say more of a formula than is read: an equation within it speaks of letters of the formula
+    /// alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
     pub fn says_of(&self, tex: &str) -> bool {
         let own: BTreeSet<String> = letters(tex).collect();
         self.says_more || self.said.iter().any(|said| !said.is_empty() && said.is_subset(&own))
