@@ -2171,8 +2171,7 @@ fn what_holds_by_more_than_is_read_is_not_suspect() {
         assert_eq!(ran.status, Some(0), "{text}: {}", ran.stdout);
     }
     // what is said of another letter too does not bind these
-    let text =
-        r"With $s = R \theta$ we have \begin{align*} W &= - g R \theta \cdot R \theta \\ &= - g R^2 \theta^3 \end{align*}";
+    let text = r"With $s = R \theta$ we have \begin{align*} W &= - g R \theta \cdot R \theta \\ &= - g R^2 \theta^3 \end{align*}";
     assert_eq!(audited(&format!("% a note\n{text}\n")).status, Some(1));
 }
 

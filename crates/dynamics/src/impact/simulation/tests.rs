@@ -299,3 +299,26 @@ fn errors_on_a_motion_that_attracts_stay_small_for_a_million_impacts() {
         .expect("an impact");
     assert!((last.velocity - earlier.velocity).abs() < growth.velocity_error() * 2.0);
 }
+
+#[test]
+fn a_touch_that_rounding_hides_is_told_with_the_phase_at_which_it_is() {
+    let motion = motion(0.1, 0.4, 0.5, 0.5);
+    let second = |velocity: f64| events(&motion, &start(1.0, velocity), 2).pop().expect("two events");
+    // between a flight that comes back and one that reaches the other wall
+    let (mut low, mut high) = (0.05, 3.0);
+    assert_eq!([second(low).side, second(high).side], [Side::Bottom, Side::Top]);
+    let touch = loop {
+        let middle = 0.5 * (low + high);
+        assert!(low < middle && middle < high, "no flight touches within rounding");
+        match second(middle) {
+            event if event.kind == Kind::Undecided => break event,
+            event if event.side == Side::Top => high = middle,
+            _ => low = middle,
+        }
+    };
+    // the slower flight hits the wall that the touching one touches
+    let hit = second(low * (1.0 - 1e-9));
+    let apart = (touch.phase - hit.phase + PI).rem_euclid(TAU) - PI;
+    assert_eq!((hit.kind, hit.side), (Kind::Impact, touch.side));
+    assert!(apart.abs() < 1e-3, "{apart}");
+}
