@@ -1198,13 +1198,11 @@ pub(super) fn read_entry(
             .chain(beside)
             .chain(conditions),
     );
-    let kinds: [(&[String], fn(String) -> DoubtKind); 4] = [
-        (&raw.doubts, DoubtKind::Open),
-        (&raw.constants, DoubtKind::Constant),
-        (&raw.second_values, DoubtKind::SecondValue),
-        (&raw.marked, DoubtKind::Marked),
-    ];
-    let kinds = kinds.iter().flat_map(|(list, kind)| list.iter().cloned().map(kind));
+    let open = raw.doubts.iter().cloned().map(DoubtKind::Open);
+    let constants = raw.constants.iter().cloned().map(DoubtKind::Constant);
+    let second_values = raw.second_values.iter().cloned().map(DoubtKind::SecondValue);
+    let marked = raw.marked.iter().cloned().map(DoubtKind::Marked);
+    let kinds = open.chain(constants).chain(second_values).chain(marked);
     doubts.extend(kinds.map(|kind| Doubt {
         kind,
         at: At::default(),

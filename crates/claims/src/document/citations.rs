@@ -67,12 +67,12 @@ impl Cited {
             .unwrap_or_default();
         let between = uncommented(between);
         let last = between.trim_end().rsplit("\n\n").next().unwrap_or_default();
-        let has_word = |word: &&str| {
+        let has_word = |word: &str| {
             last.split(|c: char| !c.is_alphabetic())
                 .any(|own| own.eq_ignore_ascii_case(word))
         };
-        let has_alternatives = OF_ALTERNATIVES.iter().any(|word| has_word(&word));
-        if AGAINST.iter().any(|word| has_word(&word)) {
+        let has_alternatives = OF_ALTERNATIVES.iter().any(|word| has_word(word));
+        if AGAINST.iter().any(|word| has_word(word)) {
             return Self {
                 has_alternatives,
                 ..Self::default()
