@@ -242,3 +242,14 @@ fn zero_and_one_are_what_they_say() {
     assert!(!Wide::<40>::INVALID.is_zero());
     assert!(Rational::zero().is_zero() && Counted::<f32>::zero().is_zero());
 }
+
+#[test]
+fn tangents_of_double_doubles_are_those_of_more_digits() {
+    let third = DoubleDouble::from_ratio(1, 3);
+    for n in [0.1, 1.0, 4.5, -7.25, 1e4] {
+        let x = DoubleDouble::from_f64(n) * third;
+        let (found, expected) = (x.tan().to_wide::<60>(), x.to_wide::<60>().tan());
+        let error = ((found - expected.clone()) / expected).to_f64().abs();
+        assert!(error < 1e-30, "{n}: {error}");
+    }
+}
