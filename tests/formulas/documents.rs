@@ -2533,4 +2533,7 @@ fn a_claim_may_follow_from_what_the_text_in_front_of_it_names() {
     assert_ne!(last("This is"), "3 proved");
     assert_ne!(last(r"In contrast to \eqref{mass}, some print"), "3 proved");
     assert_ne!(last(r"By \eqref{force} this is"), "3 proved");
+    // nothing follows from itself
+    let text = r"\[ a = b + c \] By \eqref{y} \begin{align} a &= b d \label{x} \\ a &= b d^2 \label{y} \end{align}";
+    assert_eq!(verdicts(&document(text, &[]))[1..], ["1 given", "2 undecided"]);
 }

@@ -905,7 +905,7 @@ impl Guess {
                 below.extend(self.premises.iter().cloned());
                 if !may_be_law && let [equation] = equations.as_slice() {
                     below.extend(self.premises_of(equation));
-                    below.extend(self.cited(equation, cited));
+                    below.extend(self.cited(equation, label, cited));
                 }
             }
             let is_plain = self.conflict(at).is_none() && !self.open.contains_key(label) && loose.is_none();
@@ -1150,7 +1150,7 @@ impl Guess {
 
     /// Those of the formulas that the text in front of a claim names from which it may follow: equations before it that are read and
     /// leave nothing open. A claim whose sides have the same letters needs none.
-    fn cited(&self, claim: &Equation, cited: &[String]) -> Vec<String> {
+    fn cited(&self, claim: &Equation, label: &str, cited: &[String]) -> Vec<String> {
         if cited.is_empty() || self.leaves(&claim.left) == self.leaves(&claim.right) {
             return Vec::new();
         }
@@ -1162,7 +1162,8 @@ impl Guess {
                     && question_below(own).is_none()
             })
         };
-        cited.iter().filter(is_usable).take(MOST_CITED).cloned().collect()
+        let others = cited.iter().filter(|own| *own != label);
+        others.filter(is_usable).take(MOST_CITED).cloned().collect()
     }
 
     /// Why formula number `at` is not read beside the others: a letter in it has two meanings.
