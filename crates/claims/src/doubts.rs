@@ -282,8 +282,8 @@ impl Sheet {
             .flat_map(|equation| [&equation.left, &equation.right])
             .chain(assumed);
         let is_joint = |reading: &&Reading| matches!(reading, Reading::Logarithm { .. });
-        let mut readings: Vec<&Reading> = places.iter().flat_map(|(_, readings)| readings).collect();
-        readings.retain(|reading| !is_joint(reading));
+        let readings = places.iter().flat_map(|(_, readings)| readings);
+        let readings: Vec<&Reading> = readings.filter(|reading| !is_joint(reading)).collect();
         if elsewhere.any(|side| readings.iter().any(|reading| reading.is_in(side))) {
             return none();
         }

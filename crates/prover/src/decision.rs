@@ -35,7 +35,7 @@ pub struct Decision {
     pub is_vacuous: bool,
     /// True if it would be refuted should the guess be right.
     pub fails: bool,
-    /// A proof that rests on second values of letters, which may be new meanings of these unless they are proved themselves.
+    /// A verdict that waits until second values of letters are proved: else they may be new meanings.
     pub(super) waiting: Option<Waiting>,
     /// The other meanings that its premises may have, where they bear on the verdict.
     pub(super) doubts: Vec<DoubtKind>,
@@ -43,7 +43,7 @@ pub struct Decision {
     pub place: Option<(usize, usize)>,
 }
 
-/// A verdict that waits for others.
+/// A verdict that is kept back until other formulas are proved.
 #[derive(Clone, Debug)]
 pub(super) struct Waiting {
     /// The formulas that must be proved.

@@ -1,7 +1,6 @@
 //! The formulas that the text in front of a display names: `substituting \eqref{a} into \eqref{b}`.
 
 use super::scan::Formula;
-use std::ops::Range;
 
 /// The most bytes in front of a display that are looked at.
 const FARTHEST: usize = 800;
@@ -123,22 +122,18 @@ fn references(text: &str) -> Vec<String> {
 
 /// Returns for each display, by the number of its first formula, the formulas that the text in front of it names.
 pub(super) fn citations(text: &str, formulas: &[Formula]) -> Vec<Cited> {
-    let displayed: Vec<(usize, &Range<usize>)> = formulas
-        .iter()
-        .enumerate()
-        .filter(|(_, formula)| !formula.is_aside)
-        .map(|(at, formula)| (at, &formula.part))
-        .collect();
-    let mut found = vec![Cited::default(); formulas.len()];
     let mut before = 0;
-    for (at, part) in displayed {
-        let is_first = formulas.get(at).is_some_and(|formula| formula.first == at);
-        if let Some(own) = found.get_mut(at).filter(|_| is_first) {
-            *own = Cited::of(text, before, part.start);
+    let of = |(at, formula): (usize, &Formula)| {
+        let cited = match !formula.is_aside && formula.first == at {
+            true => Cited::of(text, before, formula.part.start),
+            false => Cited::default(),
+        };
+        if !formula.is_aside {
+            before = before.max(formula.part.end);
         }
-        before = before.max(part.end);
-    }
-    found
+        cited
+    };
+    formulas.iter().enumerate().map(of).collect()
 }
 
 #[cfg(test)]

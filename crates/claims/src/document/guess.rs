@@ -81,11 +81,12 @@ pub(super) struct Guess {
     called: BTreeSet<String>,
     /// A letter that a formula in one letter gives, before a bracket with that one: `A(r`.
     applied: BTreeSet<String>,
-    /// The formulas so far that print alike, each a single equation.
+    /// The labels of the formulas so far that are single equations, by how these print.
     printed: HashMap<String, Vec<String>>,
     /// The first formula of the display of each formula.
     displays: Vec<usize>,
-    /// Equations that give a letter its second value in the display of the first: both hold, as of a system.
+    /// Equations for a letter that has a value, which hold beside it: in the display of that value, as of a system, or with the letter
+    /// on the right too, as `x = A x + b`.
     joint: HashSet<String>,
     /// The question that each formula leaves open, by its label.
     open: HashMap<String, &'static str>,

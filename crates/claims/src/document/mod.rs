@@ -653,9 +653,7 @@ impl Labels {
             )),
         }
     }
-}
 
-impl Labels {
     /// Returns for each display, by the number of its first formula, the labels of the formulas that are named in front of it.
     fn cited(&self, formulas: &[Formula], citations: &[Cited]) -> Vec<Vec<String>> {
         let mut before: Option<usize> = None;

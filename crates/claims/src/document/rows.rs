@@ -62,10 +62,6 @@ const PAIRED: [&str; 11] = [
 /// Commands of words between rows.
 const BETWEEN_ROWS: [&str; 2] = ["intertext", "shortintertext"];
 
-fn is_between_rows(command: Option<&str>) -> bool {
-    command.is_some_and(|command| BETWEEN_ROWS.contains(&command))
-}
-
 /// The most characters of a row, counted once for each of its columns.
 const MOST_COMPARED: usize = 1_000_000;
 
@@ -134,7 +130,11 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             }
             Outside::Column(at) => columns.push(at),
             // words between rows end the one before them, with or without `\\`
-            Outside::Command(at) if is_between_rows(text.get(at.start + 1..at.end)) => {
+            Outside::Command(at)
+                if text
+                    .get(at.start + 1..at.end)
+                    .is_some_and(|name| BETWEEN_ROWS.contains(&name)) =>
+            {
                 end_of_row(text, start..at.start, &mut columns);
                 start = at.start;
             }
@@ -320,7 +320,7 @@ impl Row {
                             .to_owned(),
                     )
                 }
-                name if is_between_rows(Some(name)) => {}
+                name if BETWEEN_ROWS.contains(&name) => {}
                 "nonumber" | "notag" => {
                     self.numbers = 0;
                     blank(text, at);

@@ -19,8 +19,8 @@ pub fn at_positive_bases(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
                 .iter()
                 .any(|own| matches!(own, Condition::Integer(own) if speaks_of(own, name)))
         };
-        let is_whole = |name: &Name| goal.symbols.is_integer(name) || assumed(name);
-        let is_whole = |name: &Name| is_whole(name) || statements.locals.iter().any(|local| local.name == *name);
+        let has_value = |name: &Name| statements.locals.iter().any(|local| local.name == *name);
+        let is_whole = |name: &Name| goal.symbols.is_integer(name) || assumed(name) || has_value(name);
         let is_assumed = |own: &Equation| statements.assume.contains(&Condition::Relation(own.clone()));
         let mut found: Vec<Equation> = Vec::new();
         for tree in trees(statements) {
