@@ -6,10 +6,10 @@ use super::{Failure, note};
 use crate::claim::{self, Entry, Fault, Sheet, Standing, Verdict};
 use crate::evidence::witness_near;
 use crate::prove::{self, mention_refuted, settle_second_values};
-use crate::repair::{Repair, repairs};
+use crate::repair::{Edit, Repair, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
-use crate::tex::{Equation, Relation, Tree, any_side, is_opaque, names_in, names_of};
+use crate::tex::{Equation, Name, Operation, Relation, Tree, any, any_side, is_opaque, names_in};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -110,52 +110,76 @@ fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<V
 /// The largest edit that is a slip of the pen: one sign, name or digit.
 const SLIP: u32 = 11;
 
-/// Returns true if a repair is one slip of the pen. What puts in the difference of the sides mends every formula, a number that
-/// becomes 0 takes a term away that a condition may have taken away, and nobody forgets the brackets of a whole side with its power.
-fn is_slip(repair: &Repair) -> bool {
-    let [edit] = repair.edits.as_slice() else {
-        return false;
-    };
-    let becomes_zero = matches!(&edit.tree, Tree::Number(number) if number.0.is_zero());
-    let is_side = edit.path.len() == 1;
-    let is_power_of_sum = matches!(&edit.tree, Tree::Power(of, ..) if matches!(**of, Tree::Sum(_)));
-    repair.size <= SLIP && !becomes_zero && !(is_side && is_power_of_sum)
+/// The largest repair that shows a misprint in a formula with the same letters on both sides: a term or a factor that was dropped.
+const LARGEST: u32 = 22;
+
+/// Returns the letters of a side.
+fn letters(side: &Tree) -> BTreeSet<Name> {
+    let mut names = BTreeSet::new();
+    names_in(side, &mut names);
+    names
 }
 
-/// Returns true if the text, or a law before, speaks of letters of a formula alone: the formula may hold by that, used more often
-/// than it is tried.
-fn may_rest_on_more(sheet: &Sheet, position: usize) -> bool {
-    let before = sheet.entries.get(..position).unwrap_or_default();
-    sheet.entries.get(position).is_some_and(|entry| {
-        let own = names_of(&entry.equations);
-        let is_of_own = |law: &Entry| {
-            let names = names_of(&law.equations);
-            law.standing == Standing::Law && !names.is_empty() && names.is_subset(&own)
-        };
-        entry.has_more_said || before.iter().any(is_of_own)
+/// Returns true if both sides of each equation have the same letters, as most links of chains have.
+fn have_one_set_of_letters<'e>(mut equations: impl Iterator<Item = &'e Equation>) -> bool {
+    equations.all(|equation| letters(&equation.left) == letters(&equation.right))
+}
+
+/// Returns true if the equation of a claim with other TeX is proved from nothing.
+fn is_identity(sheet: &Sheet, position: usize, repair: &Repair, options: &prove::Options) -> bool {
+    let [(_, mended)] = repair.mended.as_slice() else {
+        return false;
+    };
+    let alone = sheet.reprinted(position, &format!("{} = {}", mended.left, mended.right), &[]);
+    alone.is_some_and(|mut alone| {
+        if let Some(entry) = alone.entries.get_mut(position) {
+            entry.follows_from.clear();
+        }
+        prove::decide(&alone, position, options).verdict == Verdict::Proved
     })
 }
 
-/// Returns true if both sides of a formula have the same letters, as most links of chains have.
-fn has_one_set_of_letters(sheet: &Sheet, position: usize) -> bool {
-    let letters = |side: &Tree| {
-        let mut names = BTreeSet::new();
-        names_in(side, &mut names);
-        names
-    };
-    let equations = sheet.entries.get(position).map_or(&[][..], |entry| &entry.equations);
-    !equations.is_empty()
-        && equations
-            .iter()
-            .all(|equation| letters(&equation.left) == letters(&equation.right))
-}
-
-/// Returns true for a formula that may be right although it fails: one with rounded numbers, an inequality, where letters may be
-/// bounded, one with a constant that takes in what is added to it, and one with an angle of so many turns.
-fn is_loose(sheet: &Sheet, position: usize) -> bool {
+/// Returns true if a repair shows a misprint. Both sides of what it makes have the same letters, or it is an identity: else a
+/// premise is missing; and nothing that the text says of its letters makes it hold. What puts in the difference of the sides mends
+/// every formula, a number that becomes 0 takes a term away that a condition may have taken away, nobody forgets the brackets of a
+/// whole side with its power, and signs of letters go without saying.
+fn shows_misprint(sheet: &Sheet, position: usize, repair: &Repair, options: &prove::Options) -> bool {
     let Some(entry) = sheet.entries.get(position) else {
         return false;
     };
+    let is_of_one_set = have_one_set_of_letters(entry.equations.iter());
+    let is_of_names = repair
+        .edits
+        .iter()
+        .all(|edit| matches!(edit.tree, Tree::Symbol(..) | Tree::Call(..)));
+    let is_plain = (is_of_one_set || is_of_names) && !repair.edits.iter().any(|edit| edit.adds);
+    let largest = if is_plain { LARGEST } else { SLIP };
+    let is_power_of_side =
+        |edit: &Edit| edit.path.len() == 1 && matches!(&edit.tree, Tree::Power(of, ..) if matches!(**of, Tree::Sum(_)));
+    let becomes_zero = |edit: &Edit| matches!(&edit.tree, Tree::Number(number) if number.0.is_zero());
+    let has_bars = |edit: &Edit| {
+        any(
+            &edit.tree,
+            &mut |node| matches!(node, Tree::Call(name, ..) if name.base == r"\abs"),
+        )
+    };
+    let is_idle = |edit: &Edit| becomes_zero(edit) || is_power_of_side(edit) || has_bars(edit);
+    if repair.size > largest || repair.edits.iter().any(is_idle) {
+        return false;
+    }
+    let mended = repair.mended.iter().map(|(_, equation)| equation);
+    let is_whole = (entry.standing == Standing::Link && have_one_set_of_letters(mended))
+        || is_identity(sheet, position, repair, options);
+    is_whole
+        && sheet
+            .with_more_said(position)
+            .all(|sheet| prove::decide(&sheet, position, options).fails)
+}
+
+/// Returns true for a formula that may be right although it fails: one with rounded numbers, an inequality, where letters may be
+/// bounded, one with a constant that takes in what is added to it, one with an angle of so many turns, and a product of vectors,
+/// which numbers do not show to be wrong.
+fn is_loose(entry: &Entry) -> bool {
     let figures: Vec<char> = entry.tex.tex.chars().collect();
     let is_rounded = figures
         .windows(3)
@@ -164,6 +188,8 @@ fn is_loose(sheet: &Sheet, position: usize) -> bool {
         |tree: &Tree, letters: &[&str]| matches!(tree, Tree::Symbol(name, _) if letters.contains(&name.base.as_str()));
     // what is not understood may be anything
     let is_term = |node: &Tree| matches!(node, Tree::Symbol(name, _) if is_opaque(name));
+    let is_of_vectors =
+        |node: &Tree| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Cross(..)));
     let counts_turns = |node: &Tree| match node {
         Tree::Product(factors) => {
             factors.iter().any(|factor| is_letter(factor, &[r"\pi"]))
@@ -176,10 +202,10 @@ fn is_loose(sheet: &Sheet, position: usize) -> bool {
     let is_loose = |equation: &Equation| {
         equation.relation != Relation::Equal
             || any_side(equation, &mut |node| {
-                counts_turns(node) || is_letter(node, &["C"]) || is_term(node)
+                counts_turns(node) || is_letter(node, &["C"]) || is_term(node) || is_of_vectors(node)
             })
     };
-    is_rounded || entry.equations.iter().any(is_loose)
+    is_rounded || entry.tex.tex.contains(r"\equiv") || entry.has_more_said || entry.equations.iter().any(is_loose)
 }
 
 /// Decides the claim at a position of a sheet.
@@ -199,22 +225,22 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             )
         })
         .transpose()?;
-    let is_link = decision.standing == Standing::Link
-        && decision.fails
-        && has_one_set_of_letters(sheet, position)
-        && !is_loose(sheet, position)
-        && !may_rest_on_more(sheet, position);
+    let accused = sheet.entries.get(position).filter(|entry| {
+        let is_claimed = match decision.standing {
+            Standing::Said => false,
+            Standing::Link => true,
+            _ => have_one_set_of_letters(entry.equations.iter()),
+        };
+        decision.fails && is_claimed && !entry.equations.is_empty() && !is_loose(entry)
+    });
     let mut repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
-        _ if is_link => Some(repairs(sheet, position, options)),
+        _ if accused.is_some() => Some(repairs(sheet, position, options)),
         _ => None,
     };
-    if is_link {
-        match repairs
-            .as_ref()
-            .and_then(|repairs| repairs.found.first())
-            .is_some_and(is_slip)
-        {
+    if accused.is_some() {
+        let first = repairs.as_ref().and_then(|repairs| repairs.found.first());
+        match first.is_some_and(|repair| shows_misprint(sheet, position, repair, options)) {
             true => decision.suspect(),
             false => repairs = None,
         }

@@ -62,6 +62,8 @@ pub struct Edit {
     pub tree: Tree,
     /// What is wrong, as "wrong sign of the term `x`".
     pub words: String,
+    /// True if it puts in a factor or a term of which the printed formula says nothing.
+    pub adds: bool,
 }
 
 /// Edits after which a refuted claim is proved.

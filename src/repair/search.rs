@@ -136,6 +136,7 @@ impl Found {
             part: part(candidate.formula),
             path: candidate.path,
             tree: candidate.edit.tree,
+            adds: candidate.edit.adds,
             words: candidate.edit.words,
         });
         Repair {

@@ -2176,6 +2176,35 @@ fn what_holds_by_more_than_is_read_is_not_suspect() {
 }
 
 #[test]
+fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
+    for text in [
+        // a letter that cancels
+        r"\[ a = q (1 - r) - q r = q \]",
+        // no link of a chain
+        r"It follows that \[ (1 + a^2) b + (1 + b^2) a - 4 a b = a (1 + b)^2 + b (1 - a)^2. \]",
+        // letters of matrices, behind what says more of them
+        r"Let $A$ and $B$ be matrices and \[ C = A + B. \] Then \begin{align*} V &= A (A + B) - B A \\ &= A A + A B + B A. \end{align*}",
+        // beside a law about the same letters
+        r"\[ q + r = 1 \] \begin{align*} V &= q^2 (q + r) \\ &= q^3 + q^3 r \end{align*}",
+    ] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        assert_eq!(ran.status, Some(1), "{text}: {}", ran.stdout);
+    }
+    for text in [
+        // what is asked for
+        r"We solve \[ (1 + a^2) b + (1 + b^2) a - 4 a b = a (1 + b)^2 + b (1 - a)^2. \]",
+        r"If \[ a = q (1 - r) - q r = q \]",
+        // a product of vectors is none of numbers
+        r"\begin{align*} V &= \vec{a} \times \vec{b} + \vec{b} \times \vec{a} \\ &= 0 \end{align*}",
+        // where a premise may be missing
+        r"Here $\rho$ is constant. \[ m = \rho_1 v_1 A_1 \] \[ Q = m/\rho = v_1 A_1 \]",
+    ] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        assert_eq!(ran.status, Some(0), "{text}: {}", ran.stdout);
+    }
+}
+
+#[test]
 fn what_may_be_a_number_or_another_letter_is_no_sign_of_matrices() {
     for text in [
         r"\[ x_T = A^T x_0 \] \[ x_T^T = x_0^T A \]",

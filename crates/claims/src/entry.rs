@@ -83,7 +83,7 @@ pub struct Entry {
     pub identities: BTreeSet<String>,
     /// True if small letters among them are columns.
     pub columns: bool,
-    /// True if the text around says more of its letters than is read.
+    /// True if it need not hold: the text around says more of its letters than is read, or that it is a condition.
     pub has_more_said: bool,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
@@ -161,9 +161,12 @@ pub(super) struct RawEntry {
     /// True if small letters among them are columns.
     #[serde(default)]
     pub columns: bool,
-    /// True if the text around says more of its letters than is read.
+    /// True if it need not hold: the text around says more of its letters than is read, or that it is a condition.
     #[serde(skip)]
     pub has_more_said: bool,
+    /// Equations within the text about its letters alone, which nobody says that it follows from.
+    #[serde(skip)]
+    pub said: Vec<String>,
     /// The questions that a proof for real numbers leaves open, as the entry speaks of more.
     #[serde(default)]
     pub marked: Vec<String>,
@@ -196,6 +199,7 @@ impl RawEntry {
             identities: Vec::new(),
             columns: false,
             has_more_said: false,
+            said: Vec::new(),
             marked: Vec::new(),
             unread: None,
             way: None,

@@ -15,7 +15,7 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
-use texmath::{Equation, Symbols, speaks_of};
+use texmath::{Equation, Symbols, names_of, speaks_of};
 use texmath::{Name, Tree, nearest};
 use toml::Spanned;
 
@@ -250,6 +250,30 @@ impl Sheet {
             *text = with(text, after);
         }
         Self::from_raw(&raw, &Text::new(""), &self.symbols).ok()
+    }
+
+    /// Returns sheets in each of which the claim at a position of a document follows from one more thing that is said of its letters
+    /// alone and can be read: an equation within the text or a law in front of it.
+    pub fn with_more_said(&self, position: usize) -> impl Iterator<Item = Self> {
+        let number = self.printed_with(position).map(|(number, _)| number);
+        let raw = number.and_then(|number| self.raw.equation.get(number));
+        let names = |entry: &Entry| names_of(&entry.equations);
+        let own = self.entries.get(position).map(names).unwrap_or_default();
+        let before = self.entries.get(..position).unwrap_or_default();
+        let is_of_own = |law: &&Entry| {
+            let names = names(law);
+            law.standing == Standing::Law && !names.is_empty() && names.is_subset(&own)
+        };
+        let laws = before.iter().filter(is_of_own).map(|law| law.tex.tex.clone());
+        let said: Vec<String> = raw.into_iter().flat_map(|raw| raw.said.clone()).chain(laws).collect();
+        said.into_iter().filter_map(move |tex| {
+            let mut raw = (*self.raw).clone();
+            let entry = raw.equation.get_mut(number?)?;
+            entry.assume.push(Spanned::new(entry.tex.span(), tex));
+            let sheet = Self::from_raw(&raw, &Text::new(""), &self.symbols).ok()?;
+            let is_read = sheet.entries.get(position).is_some_and(|entry| entry.unread.is_none());
+            is_read.then_some(sheet)
+        })
     }
 
     /// The number of the `[[equation]]` that the entry at a position is read from, and the positions of all that is read

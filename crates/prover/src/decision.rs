@@ -111,9 +111,10 @@ impl Decision {
         }
     }
 
-    /// Makes the decision on a link of a chain that it is suspect: it fails, and a small repair of it is proved.
+    /// Makes the decision on a formula of which nobody says what it is that it is suspect: it fails, and a small repair of it is
+    /// proved.
     pub fn suspect(&mut self) {
-        if self.fails && self.standing == Standing::Link {
+        if self.fails && self.standing != Standing::Said {
             self.verdict = Verdict::Suspect;
         }
     }
@@ -199,7 +200,9 @@ impl Decision {
         if !binding.is_empty() {
             self.reason = format!("{}; it may be meant in another way: {}", self.reason, joined(&binding));
         }
-        self.fails = is_refuted && binding.is_empty();
+        // numbers are matrices of one row, and complex
+        let spares = |kind: &&DoubtKind| matches!(kind, DoubtKind::Marked(_));
+        self.fails = is_refuted && binding.iter().all(spares);
         if is_refuted || !binding.is_empty() {
             self.verdict = Verdict::Undecided;
         }

@@ -214,7 +214,7 @@ impl<'a> Search<'a> {
                 doubts.retain(|kind| !is_marked(kind));
                 decision
             }
-            // nothing else would prove it of all of them, and as numbers it is refuted of none
+            // nothing else would prove it of all of them; a link that fails for numbers fails
             None if doubts.iter().any(is_marked) && rests_on_others(sheet, position) => {
                 let open: Vec<String> = doubts
                     .iter()
@@ -222,7 +222,12 @@ impl<'a> Search<'a> {
                     .map(ToString::to_string)
                     .collect();
                 let reason = format!("no proof is found that keeps the order of factors: {}", open.join("; "));
-                match Decision::without_search(sheet, position) {
+                let of_numbers = match self.start.standing {
+                    Standing::Link => Ok(self.decide(sheet, position)),
+                    _ => Decision::without_search(sheet, position).map(|_| self.start.clone()),
+                };
+                match of_numbers {
+                    Ok(decision) if decision.verdict == Verdict::Refuted => decision,
                     Ok(_) => Decision {
                         reason,
                         ..self.start.clone()

@@ -89,10 +89,11 @@ def audit(text, suffix):
     return sorted(rows, key=lambda row: row["at"]), error
 
 
-def row_of(rows, text, side):
-    """Returns the row of the link that ends in a side: the last one that does not begin behind it."""
-    line = text.count("\n", 0, side[0].start) + 1
-    place = (line, side[0].start - text.rfind("\n", 0, side[0].start))
+def row_of(rows, text, chain, at):
+    """Returns the row of the link between two sides of a chain: the last one that does not begin behind its relation."""
+    end, start = chain[at][1][-1].end, chain[at + 1][1][0].start
+    relation = max(text.rfind("=", end, start), end)
+    place = (text.count("\n", 0, relation) + 1, relation - text.rfind("\n", 0, relation))
     return next((row for row in reversed(rows) if row["at"] <= place), None)
 
 
@@ -148,14 +149,15 @@ def run_case(row, originals, alone=False):
         return None
     changed, side, now = broken
     (rows, error), chain, at = audit(changed, suffix), link[2], link[3]
-    touched = [row_of(rows, changed, now[2][k][1]) for k in (side, side + 1) if 0 < k < len(now[2]) and now[2][k][1]]
+    is_link = lambda sides, k: 0 <= k < len(sides) - 1 and sides[k][1] and sides[k + 1][1]
+    touched = [row_of(rows, changed, now[2], k) for k in (side - 1, side) if is_link(now[2], k)]
     flagged = next((hit for hit in touched if hit and hit["verdict"] in FLAGS), None)
-    own_before, own = row_of(before[0], text, chain[at + 1][1]), flagged or row_of(rows, changed, now[2][at + 1][1])
+    own_before, own = row_of(before[0], text, chain, at), flagged or row_of(rows, changed, now[2], at)
     already = {hit["at"][0] for hit in before[0] if hit["verdict"] in FLAGS}
     repair = (flagged["repair"] if flagged else "").split(" ;; ")[0]
     restored, true = restores(repair, chain, side, link[4]) if repair else ("", "")
     both = [source(text, chain[k][1]) for k in (at, at + 1)]
-    shared = sum(row_of(before[0], text, other) is own_before for relation, other in chain[1:] if relation == "=" and other)
+    shared = sum(row_of(before[0], text, chain, k) is own_before for k in range(len(chain) - 1) if chain[k + 1][0] == "=" and is_link(chain, k))
     return {
         "file": row["file"], "line": row["line"], "kind": row["kind"], "original": " = ".join(both),
         "changed": " = ".join(source(changed, now[2][k][1]) for k in (at, at + 1)),

@@ -46,6 +46,26 @@ const OF_ALTERNATIVES: [&str; 11] = [
     "respectively",
 ];
 
+/// Words in a sentence whose display need not hold: it is asked for, or a condition.
+const OF_CONDITIONS: [&str; 16] = [
+    "assume",
+    "assuming",
+    "condition",
+    "conditions",
+    "find",
+    "if",
+    "let",
+    "need",
+    "provided",
+    "require",
+    "set",
+    "solve",
+    "suppose",
+    "unless",
+    "want",
+    "when",
+];
+
 /// The formulas that the text in front of a display names, and what it says of the display.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cited {
@@ -55,6 +75,8 @@ pub(super) struct Cited {
     pub goes_on: bool,
     /// True if the rows of the display may hold one or the other.
     pub has_alternatives: bool,
+    /// True if the display may be asked for, or a condition.
+    pub is_condition: bool,
 }
 
 impl Cited {
@@ -66,14 +88,17 @@ impl Cited {
             .unwrap_or_default();
         let between = uncommented(between);
         let last = between.trim_end().rsplit("\n\n").next().unwrap_or_default();
-        let has_word = |word: &str| {
-            last.split(|c: char| !c.is_alphabetic())
-                .any(|own| own.eq_ignore_ascii_case(word))
+        let has_any = |text: &str, words: &[&str]| {
+            text.split(|c: char| !c.is_alphabetic())
+                .any(|own| words.iter().any(|word| own.eq_ignore_ascii_case(word)))
         };
-        let has_alternatives = OF_ALTERNATIVES.iter().any(|word| has_word(word));
-        if AGAINST.iter().any(|word| has_word(word)) {
+        let has_alternatives = has_any(last, &OF_ALTERNATIVES);
+        let sentence = last.rsplit(". ").next().unwrap_or_default();
+        let is_condition = has_any(sentence, &OF_CONDITIONS);
+        if has_any(last, &AGAINST) {
             return Self {
                 has_alternatives,
+                is_condition,
                 ..Self::default()
             };
         }
@@ -82,6 +107,7 @@ impl Cited {
             names: references(last),
             goes_on: from == before && begins_small && !between.contains(". "),
             has_alternatives,
+            is_condition,
         }
     }
 }
@@ -152,6 +178,12 @@ mod tests {
         assert_eq!(found.names, ["a", "b", "c", "d"]);
         assert_eq!(cited("By {eq}`law`,\n").names, ["law"]);
         assert!(cited("In contrast to \\eqref{a}, we have\n").names.is_empty());
+    }
+
+    #[test]
+    fn a_display_may_be_a_condition() {
+        assert!(cited("We know $x$. Now solve\n\n").is_condition && cited("if and only if\n").is_condition);
+        assert!(!cited("If $x$ is 1, all is well. Hence\n\n").is_condition);
     }
 
     #[test]

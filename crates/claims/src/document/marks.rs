@@ -36,8 +36,8 @@ const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
 struct Factors {
     /// Capital letters beside a matrix, or beside each other.
     of_matrices: BTreeSet<Name>,
-    /// Factors of divisors.
-    divisors: BTreeSet<Name>,
+    /// Factors of divisors and of what roots, logarithms, sines and cosines are taken of.
+    numbers: BTreeSet<Name>,
 }
 
 impl Factors {
@@ -62,21 +62,25 @@ impl Factors {
                     self.of_matrices.extend(plain(last).filter(|_| is_of_matrices(first)));
                 }
             }
-            Tree::Quotient(_, below, _) => {
-                let factors = match &**below {
-                    Tree::Product(factors) => factors.as_slice(),
-                    one => std::slice::from_ref(one),
-                };
-                let letters: Vec<Option<&Name>> = factors
-                    .iter()
-                    .filter(|factor| !matches!(factor, Tree::Number(_)))
-                    .map(letter_of_power)
-                    .collect();
-                if let Some(letters) = letters.into_iter().collect::<Option<BTreeSet<&Name>>>() {
-                    self.divisors.extend(letters.into_iter().cloned());
-                }
-            }
+            Tree::Quotient(_, of, _) | Tree::Root(of, ..) => self.read_number(of),
+            Tree::Call(name, of, _) if OF_NUMBERS.contains(&name.base.as_str()) => self.read_number(of),
             _ => {}
+        }
+    }
+
+    /// Notes the letters of a product that is a number.
+    fn read_number(&mut self, product: &Tree) {
+        let factors = match product {
+            Tree::Product(factors) => factors.as_slice(),
+            one => std::slice::from_ref(one),
+        };
+        let letters: Vec<Option<&Name>> = factors
+            .iter()
+            .filter(|factor| !matches!(factor, Tree::Number(_)))
+            .map(letter_of_power)
+            .collect();
+        if let Some(letters) = letters.into_iter().collect::<Option<BTreeSet<&Name>>>() {
+            self.numbers.extend(letters.into_iter().cloned());
         }
     }
 }
@@ -106,9 +110,27 @@ fn is_small_greek(name: &Name) -> bool {
     name.accents.is_empty() && name.base.starts_with('\\') && is_small && is_letter(name)
 }
 
+/// Returns what begins a term that is a value, `T(\mathbf{q}, t)`, and all of any other: a value is of the kind of its function,
+/// where no matrix is put in.
+fn head(base: &str) -> &str {
+    match base.find(['(', '[']) {
+        Some(at) if at > 0 && at + bracketed(base.get(at..).unwrap_or_default()) == base.len() => {
+            base.get(..at).unwrap_or(base)
+        }
+        _ => base,
+    }
+}
+
+/// Returns true for a mean, `\mathbb{E}[X]`, a probability or a product in angles: numbers, where what is in them is one.
+fn is_mean(base: &str) -> bool {
+    let is_product = base.starts_with(r"\langle") && base.ends_with(r"\rangle");
+    is_product || MEANS.iter().any(|mean| base.starts_with(mean))
+}
+
 /// Returns true for a letter in bold or script, and for a term that an operator begins.
 fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
+    let is_of_operators = !is_mean(&name.base) && commands.any(|command| name.base.starts_with(command));
     let holds_vectors = || BOLD.iter().chain(&ARROWS).any(|sign| name.base.contains(sign));
     let is_integral = [r"\int", r"\oint", r"\iint", r"\iiint", r"\sum"]
         .iter()
@@ -118,9 +140,9 @@ fn is_set_apart(name: &Name) -> bool {
             .iter()
             .any(|sign| name.base.contains(sign))
     };
-    commands.any(|command| name.base.starts_with(command))
+    is_of_operators
         || name.base.starts_with('|')
-        || holds_unknown(&name.base)
+        || holds_unknown(head(&name.base))
         || holds_bold_capital(&name.base)
         || (is_integral && (holds_vectors() || holds_transposes()))
 }
@@ -196,6 +218,23 @@ const OF_MATRICES: [&str; 16] = [
 
 /// Commands that begin a term which is not understood and may be no number, beside those of letters in bold.
 const OF_OPERATORS: [&str; 5] = [r"\mathbb", r"\mathcal", r"\mathscr", r"\nabla", r"\langle"];
+
+/// Functions of which matrices are hardly ever an argument.
+const OF_NUMBERS: [&str; 8] = [
+    r"\sin", r"\cos", r"\tan", r"\cot", r"\ln", r"\log", r"\arctan", r"\arccos",
+];
+
+/// Commands of means and probabilities.
+const MEANS: [&str; 8] = [
+    r"\mathbb{E}",
+    r"\mathbb E",
+    r"\mathbb{P}",
+    r"\mathbb P",
+    r"\mathbb{V}",
+    r"\mathbb{Var}",
+    r"\mathbb V",
+    r"\mathbb{C}ov",
+];
 
 /// Commands of the parts of complex numbers.
 pub(super) const OF_COMPLEX: [&str; 7] = [
@@ -313,7 +352,7 @@ impl Marks {
                         if letters_of_matrices.contains(&name.base) && is_plain {
                             marks.operators.insert(name.clone());
                         }
-                        let is_factor = factors.of_matrices.contains(name) && !factors.divisors.contains(name);
+                        let is_factor = factors.of_matrices.contains(name) && !factors.numbers.contains(name);
                         if has_matrices && is_factor && !is_constant(name) {
                             multiplied.insert(name.clone());
                         }
@@ -343,7 +382,7 @@ impl Marks {
             // a star and a bar are marks as any other
             marks.complex.clear();
         }
-        let mut numbers = factors.divisors;
+        let mut numbers = factors.numbers;
         let is_said = |name: &Name| letters_of_matrices.contains(&name.base) || marks.operators.contains(name);
         numbers.extend(entries(&equations).into_iter().filter(|name| !is_said(name)));
         extend_to_multiples(&mut numbers, &equations, &is_said);
@@ -375,6 +414,19 @@ impl Marks {
             }
         }
         let is_unit = |name: &Name| unit_is_number && is_constant(name) && name.base == "i";
+        // a mean is of the kind of what is in it
+        let mut means = Vec::new();
+        for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+            any(side, &mut |node| {
+                if let Tree::Symbol(name, _) = node
+                    && MEANS.iter().any(|mean| name.base.starts_with(mean))
+                {
+                    let inside = letters(&name.base, &Names::default()).into_iter();
+                    means.push((name.clone(), inside.map(|(letter, _)| letter).collect()));
+                }
+                false
+            });
+        }
         // forwards and backwards, as equations refer to those before and behind
         let mut is_forward = true;
         loop {
@@ -386,6 +438,14 @@ impl Marks {
                     .rev()
                     .for_each(|equation| marks.spread(equation, &is_unit)),
             }
+            let is_of_operators =
+                |(_, inside): &&(Name, BTreeSet<String>)| marks.operators.iter().any(|own| inside.contains(&own.base));
+            let more: Vec<Name> = means
+                .iter()
+                .filter(is_of_operators)
+                .map(|(name, _)| name.clone())
+                .collect();
+            marks.operators.extend(more);
             is_forward = !is_forward;
             if marks.operators.len() + marks.complex.len() == known {
                 break;

@@ -19,8 +19,8 @@ pub(super) struct Members {
     pub has_vectors: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
-    /// The letters of each equation within the text, but for those of a letter and a number.
-    pub said: Vec<BTreeSet<String>>,
+    /// The equations within the text, but for those of a letter and a number, each with its letters.
+    pub said: Vec<(BTreeSet<String>, String)>,
     /// True if words of the text may say that a product is less than it looks.
     pub says_more: bool,
     /// True if the text speaks of transposes.
@@ -36,6 +36,9 @@ pub(super) struct Members {
 
 /// The most characters before and behind `\in` that letters and their set take.
 const FARTHEST: usize = 60;
+
+/// The most equations within the text that may bear on one formula.
+const MOST_SAID: usize = 8;
 
 /// Signs and names of formulas of matrices.
 const OF_MATRICES: [&str; 14] = [
@@ -134,9 +137,20 @@ impl Members {
             for (at, _) in text.match_indices(word) {
                 let beside = letters_beside(text, at, at + word.len());
                 if MATRICES.contains(&word) {
-                    members.matrices.extend(beside.iter().cloned());
+                    members
+                        .matrices
+                        .extend(beside.iter().filter(|letter| !is_small(letter)).cloned());
                 }
-                marked.extend(beside);
+                // `the matrix of the weights $\beta$` says nothing of \beta
+                let called = letters_called(text, at, at + word.len(), true);
+                marked.extend(
+                    beside
+                        .into_iter()
+                        .filter(|letter| is_complex || !is_small(letter) || called.contains(letter)),
+                );
+                if MATRICES.contains(&word) {
+                    members.matrices.extend(called);
+                }
             }
         }
         let inline = inline(text);
@@ -157,14 +171,16 @@ impl Members {
                 .iter()
                 .any(|own| speaks_of(own));
         members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
-        members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
-        let has_determinants = text.contains("eterminant");
         // `x = 2` says what x is, and no more
         let is_more = |side: &str| side.trim().len() > 1 && !side.trim().starts_with(|c: char| c.is_ascii_digit());
         let says = inline
             .iter()
             .filter(|formula| formula.contains('=') && formula.split('=').any(is_more));
-        members.said = says.map(|formula| letters(formula).collect()).collect();
+        members.said = says
+            .map(|formula| (letters(formula).collect(), formula.clone()))
+            .collect();
+        members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
+        let has_determinants = text.contains("eterminant");
         members.says_more = ["idempotent", "nilpotent", "odulo"]
             .iter()
             .any(|word| text.contains(word));
@@ -252,7 +268,7 @@ impl Members {
         }
         for word in ["invertible", "nonsingular", "non-singular", "square"] {
             for (at, _) in text.match_indices(word) {
-                members.squares.extend(letters_called(text, at, at + word.len()));
+                members.squares.extend(letters_called(text, at, at + word.len(), false));
             }
         }
         // the $n \times p$ matrix $X$
@@ -265,27 +281,30 @@ impl Members {
                 members.operators.extend(beside.iter().cloned());
                 members.matrices.extend(beside.iter().cloned());
                 match rows.trim() == columns.trim() {
-                    true => members.squares.extend(letters_called(text, at, at + lengths.len() + 2)),
+                    true => members
+                        .squares
+                        .extend(letters_called(text, at, at + lengths.len() + 2, false)),
                     false => members.rectangles.extend(beside),
                 }
             }
         }
-        let is_small = |letter: &String| {
-            letter
-                .trim_start_matches('\\')
-                .starts_with(|c: char| c.is_ascii_lowercase())
-        };
         let others = ["row vector", "rows", "quaternion", "data matrix", "operators"];
         members.has_other_columns =
-            others.iter().any(|word| text.contains(word)) || members.matrices.iter().any(is_small);
+            others.iter().any(|word| text.contains(word)) || members.matrices.iter().any(|letter| is_small(letter));
         members
     }
 
-    /// Returns true if the text may say more of a formula than is read: an equation within it speaks of letters of the formula
-    /// alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
-    pub fn says_of(&self, tex: &str) -> bool {
+    /// Returns the equations within the text that speak of letters of a formula alone, as `$P^2 = P$` of `(1 - P)^2 = 1 - P`.
+    pub fn said_of(&self, tex: &str) -> Vec<String> {
         let own: BTreeSet<String> = letters(tex).collect();
-        self.says_more || self.said.iter().any(|said| !said.is_empty() && said.is_subset(&own))
+        let is_of_own = |(letters, _): &&(BTreeSet<String>, String)| !letters.is_empty() && letters.is_subset(&own);
+        let mut said: Vec<String> = Vec::new();
+        for (_, formula) in self.said.iter().filter(is_of_own) {
+            if said.len() < MOST_SAID && !said.contains(formula) {
+                said.push(formula.clone());
+            }
+        }
+        said
     }
 
     /// Adds what a displayed formula marks by how it is printed.
@@ -337,9 +356,23 @@ fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
     before.chain(behind).flat_map(listed).collect()
 }
 
-/// Returns the letters that a word of a text, between two places, is an adjective of: `invertible matrices $A$ and $B$`, `$A$ is
-/// invertible`, `let $A$ be a square matrix`. No letter is returned for `$X^\top X$ is invertible` or `least square`.
-fn letters_called(text: &str, start: usize, end: usize) -> Vec<String> {
+/// Returns true for a small letter, Greek or not.
+fn is_small(letter: &str) -> bool {
+    letter
+        .trim_start_matches('\\')
+        .starts_with(|c: char| c.is_ascii_lowercase())
+}
+
+/// Returns the letters that a word of a text, between two places, is said of: `invertible matrices $A$ and $B$`, `$A$ is
+/// invertible`, `let $A$ be a square matrix`; one that may be a noun by itself, `quaternions $q$ and $r$`, too. No letter is
+/// returned for `$X^\top X$ is invertible` or `least square`.
+fn letters_called(text: &str, start: usize, end: usize, may_be_noun: bool) -> Vec<String> {
+    let rest = text.get(end..).unwrap_or_default();
+    let ending = rest
+        .bytes()
+        .take_while(|c| may_be_noun && c.is_ascii_alphabetic())
+        .count();
+    let end = end + ending;
     let (before, behind) = clause(text, start, end);
     let words = |text: &str| -> Vec<String> {
         let words = text.split(|c: char| !c.is_alphabetic() && c != '-');
@@ -351,19 +384,24 @@ fn letters_called(text: &str, start: usize, end: usize) -> Vec<String> {
     );
     let is_part = before.ends_with(|c: char| c.is_alphanumeric() || c == '-')
         || behind.starts_with(|c: char| c.is_alphanumeric() || c == '-');
-    if is_part || told.iter().chain(&adjectives).any(|word| word == "not") {
+    if (is_part && !may_be_noun) || told.iter().chain(&adjectives).any(|word| word == "not") {
         return Vec::new();
     }
     let is_noun = |word: &String| word.starts_with("matri");
     let noun = adjectives.iter().position(is_noun);
     let is_verb = |word: &String| ["is", "are", "be"].contains(&word.as_str());
     let is_said = told.iter().any(is_verb);
+    let is_plural = |word: &String| word.ends_with('s');
     // the formulas of a list have nothing but these between them
     let goes_on = |between: &str| ["", ",", "and", ", and"].contains(&between.trim());
     let pieces: Vec<&str> = match noun {
         // `an invertible matrix $A$`
         Some(noun) if noun + 1 == adjectives.len() && behind.contains('$') => behind.split('$').skip(1).collect(),
-        _ if is_said => before.rsplit('$').skip(1).collect(),
+        _ if is_said && before.contains('$') => before.rsplit('$').skip(1).collect(),
+        // `quaternions $q$`, `non-commuting variables $u$ and $v$`
+        _ if may_be_noun && adjectives.iter().all(is_plural) && behind.contains('$') => {
+            behind.split('$').skip(1).collect()
+        }
         _ => return Vec::new(),
     };
     let mut found = Vec::new();

@@ -528,6 +528,7 @@ fn entries(
             continue;
         }
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
+        let in_front = whole.citations.get(formula.first);
         let guessed = guess.of(&Asked {
             at,
             label,
@@ -537,10 +538,7 @@ fn entries(
             role,
             is_founded: own.follows_from.is_some(),
             is_doubtful,
-            has_alternatives: whole
-                .citations
-                .get(formula.first)
-                .is_some_and(|cited| cited.has_alternatives),
+            has_alternatives: in_front.is_some_and(|cited| cited.has_alternatives),
             until: formula.until,
             cited: cited.get(formula.first).map_or(&[][..], Vec::as_slice),
         });
@@ -577,6 +575,8 @@ fn entries(
             names: formula.labels.clone(),
             guessed: guessed.guessed,
             standing,
+            said: whole.members.said_of(&tex),
+            has_more_said: whole.members.says_more || in_front.is_some_and(|cited| cited.is_condition),
             unread,
             ..RawEntry::new(
                 here(label.clone()),
@@ -607,7 +607,6 @@ fn entries(
         (entry.doubts, entry.constants, entry.second_values) = (open.doubts, open.constants, open.second_values);
         let marked = open.marked;
         (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
-        entry.has_more_said = whole.members.says_of(entry.tex.get_ref());
         entry.columns = !entry.operators.is_empty() && guess.may_have_columns && !whole.members.has_other_columns;
     }
     guess.told()
