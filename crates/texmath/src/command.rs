@@ -127,6 +127,7 @@ fn is_unknown(text: &str) -> bool {
     !name.is_empty()
         && name.bytes().all(|byte| byte.is_ascii_alphabetic())
         && matches!(command(text), Command::Unknown(""))
+        && ![FACTORIAL, DOUBLE_FACTORIAL, CONJUGATE].contains(&text)
         && !NO_TERMS.split_whitespace().any(|known| known == name)
 }
 

@@ -38,6 +38,8 @@ struct Factors {
     of_matrices: BTreeSet<Name>,
     /// Factors of divisors and of what roots, logarithms, sines and cosines are taken of.
     numbers: BTreeSet<Name>,
+    /// True if the text calls letters matrices, so that any two capital letters may be some: `G M` of a text about masses are none.
+    are_called: bool,
 }
 
 impl Factors {
@@ -54,7 +56,7 @@ impl Factors {
                     factor => letter_of_power(factor).is_some_and(|name| {
                         is_typographic(name)
                             || matrices.contains(&name.base)
-                            || (is_capital(name) && name.subscript.is_empty())
+                            || (self.are_called && is_capital(name) && name.subscript.is_empty())
                     }),
                 };
                 for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
@@ -332,7 +334,11 @@ impl Marks {
         let turned = turned_letters(&equations, members.says_transposed);
         let has_matrices = has_matrices || !turned.is_empty();
         letters_of_matrices.extend(turned);
-        let (mut factors, mut multiplied) = (Factors::default(), BTreeSet::new());
+        let mut factors = Factors {
+            are_called: !members.matrices.is_empty(),
+            ..Factors::default()
+        };
+        let mut multiplied = BTreeSet::new();
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
             any(side, &mut |node| {
                 factors.read(node, &letters_of_matrices);
@@ -620,15 +626,15 @@ impl Marks {
                 }
                 self.complex.extend(conjugated(name));
             }
-            node if transposed(node).is_some() => {
-                if let Some(of) = transposed(node) {
+            node if surely_transposed(node).is_some() => {
+                if let Some(of) = surely_transposed(node) {
                     self.mark_operators(of);
                     names_in(of, &mut self.transposed);
                 }
             }
             Tree::Product(factors) => {
                 // beside w^T stands a vector or a matrix
-                let is_transposed = |factor: &Tree| transposed(factor).is_some();
+                let is_transposed = |factor: &Tree| surely_transposed(factor).is_some();
                 for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
                     if is_transposed(first) {
                         self.mark_operators(last);
@@ -648,7 +654,8 @@ impl Marks {
                 }
                 for (at, first) in factors.iter().enumerate() {
                     for (behind, last) in factors.iter().enumerate().skip(at + 2) {
-                        if are_inverse(first, last) {
+                        let between = factors.get(at + 1..behind).unwrap_or_default();
+                        if are_inverse(first, last) && between.iter().all(may_be_matrix) {
                             factors[at..=behind]
                                 .iter()
                                 .for_each(|factor| self.mark_operators(factor));
@@ -1051,6 +1058,22 @@ fn turned_letters(equations: &[&Equation], says_transposed: bool) -> BTreeSet<St
         });
     }
     found
+}
+
+/// Returns true for a factor without quotients, functions and powers with letters, which are of numbers.
+fn may_be_matrix(factor: &Tree) -> bool {
+    let is_of_numbers = |node: &Tree| match node {
+        Tree::RealPower(..) => transposed(node).is_none(),
+        node => matches!(node, Tree::Quotient(..) | Tree::Root(..) | Tree::Call(..)),
+    };
+    !any(factor, &mut |node| is_of_numbers(node))
+}
+
+/// Returns what is transposed, where that is what a tree is: `\beta^T` of a text that speaks of `T` by itself is a power.
+fn surely_transposed(tree: &Tree) -> Option<&Tree> {
+    let of = transposed(tree)?;
+    let is_power = matches!(tree, Tree::RealPower(..)) && matches!(of, Tree::Symbol(name, _) if is_small_greek(name));
+    (!is_power).then_some(of)
 }
 
 /// Returns the letter that stands with its transpose at the ends of a product: `X^T X`, `H P H^T`.

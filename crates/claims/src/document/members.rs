@@ -172,7 +172,11 @@ impl Members {
                 .any(|own| speaks_of(own));
         members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
         // `x = 2` says what x is, and no more
-        let is_more = |side: &str| side.trim().len() > 1 && !side.trim().starts_with(|c: char| c.is_ascii_digit());
+        let is_more = |side: &str| {
+            let side = side.trim();
+            let is_command = side.starts_with('\\') && side.chars().skip(1).all(|c| c.is_ascii_alphabetic());
+            side.len() > 1 && !is_command && !side.starts_with(|c: char| c.is_ascii_digit())
+        };
         let says = inline
             .iter()
             .filter(|formula| formula.contains('=') && formula.split('=').any(is_more));
