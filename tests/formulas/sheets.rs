@@ -113,7 +113,7 @@ fn what_is_no_sheet() {
 
 #[test]
 fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
-    let symbols = "title = 'readings'\n[symbols]\nparameters = ['x', 'y', 'a', 'b']\n";
+    let symbols = "title = 'readings'\n[symbols]\nparameters = ['x', 'y', 'a', 'b']\nabbreviations = ['M = \\log 100']\n";
     let given = equation("V", "definition", "V = a x^2 + b", "")
         + &equation("R", "definition", "R(x) = a x^3", "")
         + &equation("L", "definition", r"L = \log 100", "")
@@ -160,6 +160,7 @@ fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
             r"`\log`: natural",
         ),
         (r"L = 2", "L", Verdict::Undecided, r"`\log`: natural"),
+        (r"M + x = 2 + x", "", Verdict::Undecided, r"`\log`: natural"),
         (r"\sin x y = y \sin x", "", Verdict::Undecided, r"`\sin(x) y`"),
         (r"\sin x y = \sin(x y)", "", Verdict::Undecided, r"`\sin(x) y`"),
         (r"a/b x = \frac{a}{b x}", "", Verdict::Undecided, r"`\frac{a}{b} x`"),
@@ -178,6 +179,7 @@ fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
         ("a/b x = a/b y", "", Verdict::Refuted, r"`\frac{a}{b} x`"),
         (r"\log(3 x) = 3 \log x", "", Verdict::Refuted, r"`\log`: natural"),
         (r"L = 3", "L", Verdict::Refuted, r"`\log`: natural"),
+        (r"M = 3", "", Verdict::Refuted, r"`\log`: natural"),
         (r"\cos x y/2 = 5", "", Verdict::Refuted, r"\cos(x) y"),
     ] {
         let from = if from.is_empty() {

@@ -7,7 +7,7 @@ use super::sheet::Sheet;
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{
-    Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree, any, any_side, flies, holds,
+    Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree, any, any_side, flies, holds, names_in,
     number_of, speaks_of, with_symbol,
 };
 
@@ -233,7 +233,8 @@ impl Sheet {
         let below = self.below(claim);
         // what is printed again holds in whatever meaning it did
         let mut given = claim.follows_from.iter().filter_map(|&at| self.entries.get(at));
-        if given.any(|own| own.equations == claim.equations && own.assume.is_empty()) {
+        let is_plain = |own: &Entry| own.assume.is_empty() && own.with.is_empty() && own.local.is_empty();
+        if given.any(|own| own.equations == claim.equations && is_plain(own)) {
             let marked = claim.doubts.iter().map(|doubt| &doubt.kind);
             found.extend(marked.filter(|kind| matches!(kind, DoubtKind::Marked(_))).cloned());
             return found;
@@ -301,6 +302,7 @@ impl Sheet {
                     *entry = claim;
                 }
                 for reading in joint {
+                    sheet.symbols.reread(&mut |tree| *tree = reading.of(tree, &mut false));
                     let reread = sheet.entries.iter().map(|entry| entry.reread(reading));
                     sheet.entries = reread.collect();
                 }
@@ -428,11 +430,14 @@ impl Sheet {
 
     /// A logarithm whose base is not printed, in a claim or in what it rests on.
     fn logarithm(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
-        let trees: Vec<&Tree> = std::iter::once(claim)
+        let mut trees: Vec<&Tree> = std::iter::once(claim)
             .chain(below.iter().copied())
             .flat_map(|entry| entry.trees(&self.symbols))
             .map(|(tree, _)| tree)
             .collect();
+        let mut names = BTreeSet::new();
+        trees.iter().for_each(|tree| names_in(tree, &mut names));
+        trees.extend(self.symbols.declared_of(names));
         let holds = |command: &str| {
             let mut is_one = |node: &Tree| matches!(node, Tree::Call(name, ..) if name.base == command);
             trees.iter().any(|tree| any(tree, &mut is_one))

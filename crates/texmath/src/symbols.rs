@@ -1,8 +1,8 @@
 //! What names stand for.
 
-use super::nodes::speaks_of;
+use super::nodes::{names_in, speaks_of};
 use super::{Equation, Name, Names, Tree};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::mem::{Discriminant, discriminant};
 
 /// A matrix of partial derivatives.
@@ -325,18 +325,77 @@ impl Symbols {
         real
     }
 
+    /// Iterates over the expressions that are declared, each with what it is declared of.
+    fn declared_trees(&self) -> impl Iterator<Item = (&Name, &Tree)> {
+        let derivatives = self
+            .functions()
+            .filter_map(|(name, derivative)| Some((name, derivative?)));
+        let of_maps = self.maps().flat_map(|(name, map)| match map {
+            Map::Equations(equations) => sides_of(name, equations),
+            _ => Vec::new(),
+        });
+        let pairs = self.abbreviations().chain(self.periods());
+        pairs.chain(derivatives).chain(of_maps)
+    }
+
+    /// Returns the expressions that are declared of names, and of what these expressions speak of in turn.
+    pub fn declared_of(&self, mut names: BTreeSet<Name>) -> Vec<&Tree> {
+        let mut others: Vec<(BTreeSet<Name>, Vec<&Tree>)> = Vec::new();
+        for (name, tree) in self.declared_trees() {
+            others.push((BTreeSet::from([name.clone()]), vec![tree]));
+        }
+        for equation in self.relations.iter().chain(&self.laws) {
+            let mut left = BTreeSet::new();
+            names_in(&equation.left, &mut left);
+            others.push((left, vec![&equation.left, &equation.right]));
+        }
+        let mut found = Vec::new();
+        loop {
+            let (met, rest): (Vec<_>, Vec<_>) = others.into_iter().partition(|(own, _)| !own.is_disjoint(&names));
+            if met.is_empty() {
+                return found;
+            }
+            for tree in met.into_iter().flat_map(|(_, trees)| trees) {
+                names_in(tree, &mut names);
+                found.push(tree);
+            }
+            others = rest;
+        }
+    }
+
+    /// Puts another expression in the place of each that is declared.
+    pub fn reread(&mut self, new: &mut dyn FnMut(&mut Tree)) {
+        for (_, meaning) in &mut self.declared {
+            match meaning {
+                Meaning::Function(Some(tree)) | Meaning::Period(tree) | Meaning::Abbreviation(tree) => new(tree),
+                Meaning::Map(Map::Equations(equations)) => equations.iter_mut().for_each(|equation| {
+                    new(&mut equation.left);
+                    new(&mut equation.right);
+                }),
+                _ => {}
+            }
+        }
+        for equation in self.relations.iter_mut().chain(&mut self.laws) {
+            new(&mut equation.left);
+            new(&mut equation.right);
+        }
+    }
+
     /// Returns true if anything that is declared speaks of a name.
     pub fn uses(&self, name: &Name) -> bool {
-        let pairs = self.abbreviations().chain(self.periods()).map(|(_, tree)| tree);
-        let derivatives = self.functions().filter_map(|(_, derivative)| derivative);
-        let of_maps = self.maps().flat_map(|(_, map)| match map {
-            Map::Equations(equations) => equations.as_slice(),
-            _ => &[],
-        });
-        let equations = self.relations.iter().chain(&self.laws).chain(of_maps);
+        let equations = self.relations.iter().chain(&self.laws);
         let sides = equations.flat_map(|equation| [&equation.left, &equation.right]);
-        pairs.chain(derivatives).chain(sides).any(|tree| speaks_of(tree, name))
+        let trees = self.declared_trees().map(|(_, tree)| tree);
+        trees.chain(sides).any(|tree| speaks_of(tree, name))
     }
+}
+
+/// Returns the sides of equations, each with a name.
+fn sides_of<'e>(name: &'e Name, equations: &'e [Equation]) -> Vec<(&'e Name, &'e Tree)> {
+    let sides = equations
+        .iter()
+        .flat_map(|equation| [&equation.left, &equation.right]);
+    sides.map(|side| (name, side)).collect()
 }
 
 #[cfg(test)]
