@@ -1,5 +1,6 @@
 //! The commands, thin: each reads its arguments, asks the library, and hands back an [`Answer`].
 
+mod accuse;
 mod added;
 mod answer;
 mod audit;

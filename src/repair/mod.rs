@@ -17,9 +17,11 @@ mod path;
 mod points;
 mod printed;
 mod search;
+mod slips;
 
 pub use path::{Path, node, parts, replaced};
 pub use printed::{Reprinted, reprinted};
+pub use slips::slips;
 
 use crate::claim::{Entry, Sheet};
 use crate::prove::Options;
@@ -62,8 +64,6 @@ pub struct Edit {
     pub tree: Tree,
     /// What is wrong, as "wrong sign of the term `x`".
     pub words: String,
-    /// True if it puts in a factor or a term of which the printed formula says nothing.
-    pub adds: bool,
 }
 
 /// Edits after which a refuted claim is proved.

@@ -136,7 +136,6 @@ impl Found {
             part: part(candidate.formula),
             path: candidate.path,
             tree: candidate.edit.tree,
-            adds: candidate.edit.adds,
             words: candidate.edit.words,
         });
         Repair {

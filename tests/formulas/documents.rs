@@ -2191,6 +2191,11 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
         assert_eq!(ran.status, Some(1), "{text}: {}", ran.stdout);
     }
     for text in [
+        // what is neglected, rounded or a case in words
+        r"For a few percent the cross term plays no role, and \[ (1+g)(1+n)-1 = g+n. \]",
+        r"\begin{align*} A &= \pi\left(D s - s^2\right) \\ &= \pi D s \end{align*}",
+        r"Rounded to the nearest hundred, \[ 47\cdot 23 = 1100. \]",
+        r"Each $x_i\in\{0,1\}$, thus \begin{align*} (x_1+x_2)^2 &= x_1^2+2x_1x_2+x_2^2 \\ &= x_1+2x_1x_2+x_2 \end{align*}",
         // what is asked for
         r"We solve \[ (1 + a^2) b + (1 + b^2) a - 4 a b = a (1 + b)^2 + b (1 - a)^2. \]",
         r"If \[ a = q (1 - r) - q r = q \]",
@@ -2202,6 +2207,38 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
         let ran = audited(&format!("% a note\n{text}\n"));
         assert_eq!(ran.status, Some(0), "{text}: {}", ran.stdout);
     }
+}
+
+#[test]
+fn the_first_repair_is_one_with_which_the_links_beside_it_hold() {
+    for (text, repair) in [(
+        r"\begin{align*} S &= (a-b)^2 + (b-c)^2 + (c-a)^2 \\ &= (a^2-2ab+b^2) + (b^2-2bc+c^2) + (c-a)^2 \\ &= (a-b)^2 + (b-c)^2 + (c+a)^2 \end{align*}",
+        r"(c - a)^2$",
+    )] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        let first = ran.stdout.split(" ;; ").next().unwrap_or_default();
+        assert!(
+            first.contains(",suspect,") && first.contains(repair),
+            "{text}: {}",
+            ran.stdout
+        );
+    }
+}
+
+#[test]
+fn units_are_converted() {
+    for text in [
+        r"\[ v = \SI{36}{\kilo\meter\per\hour} = \SI{10}{\meter\per\second} \]",
+        r"\[ p = \frac{\SI{20}{\newton}}{\SI{4}{\meter\squared}} = \SI{5}{\pascal} \]",
+        r"\[ 2 \sin\ang{30} = 1 \]",
+        r"\[ 3 \si{\watt\second} = \num{3e3} \unit{\milli\joule} \]",
+    ] {
+        let ran = audited(text);
+        let last = ran.stdout.lines().last().unwrap_or_default();
+        assert!(last.contains(",proved,"), "{text}: {}", ran.stdout);
+    }
+    let ran = audited(r"\[ x = \SI{3}{\meter} + \SI{2}{\meter} = \SI{6}{\meter} \]");
+    assert!(ran.stdout.contains(",suspect,"), "{}", ran.stdout);
 }
 
 #[test]

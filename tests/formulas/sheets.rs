@@ -113,7 +113,8 @@ fn what_is_no_sheet() {
 
 #[test]
 fn a_claim_with_several_readings_is_decided_in_each_and_says_which_is_taken() {
-    let symbols = "title = 'readings'\n[symbols]\nparameters = ['x', 'y', 'a', 'b']\nabbreviations = ['M = \\log 100']\n";
+    let symbols =
+        "title = 'readings'\n[symbols]\nparameters = ['x', 'y', 'a', 'b']\nabbreviations = ['M = \\log 100']\n";
     let given = equation("V", "definition", "V = a x^2 + b", "")
         + &equation("R", "definition", "R(x) = a x^3", "")
         + &equation("L", "definition", r"L = \log 100", "")

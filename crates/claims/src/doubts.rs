@@ -7,8 +7,8 @@ use super::sheet::Sheet;
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{
-    Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree, any, any_side, flies, holds, names_in,
-    number_of, speaks_of, with_symbol,
+    Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree, any, any_side, flies, holds,
+    names_in, number_of, speaks_of, with_symbol,
 };
 
 /// The most other readings of a claim that are decided.

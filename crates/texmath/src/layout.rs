@@ -8,6 +8,7 @@ use super::command::{holds_unknown, invariant, is_letter as is_letter_command};
 use super::elementary::Elementary;
 use super::names::BOLD;
 use super::relations::related;
+use super::units::unit;
 use super::{Name, Names};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -51,13 +52,34 @@ enum Written {
     Relation,
     /// A number, perhaps with a power of ten: `1.5e-3`.
     Number,
+    /// A number of degrees.
+    Angle,
+    /// A unit, and a number of it where four arguments are wanted.
+    Quantity,
     /// Its argument, without the name that a brace gives it behind this sign.
     Named(u8),
 }
 
-use Written::{As, Brackets, Matrix, Named, Number, Relation};
+use Written::{Angle, As, Brackets, Matrix, Named, Number, Quantity, Relation};
 
 type Row = (&'static str, &'static [Argument], Written);
+
+/// Returns a number of siunitx in TeX, `1.5 \cdot 10^{-3}` for `1.5e-3`; nothing for `1,000`, which may be a thousand.
+fn decimal(text: &str) -> Option<String> {
+    let number = text.trim().to_ascii_lowercase();
+    let is_decimal = |text: &str| {
+        text.trim_start_matches(['-', '+'])
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.')
+            && text.parse::<f64>().is_ok()
+    };
+    match number.split_once('e') {
+        Some((figures, power)) if is_decimal(figures) && power.parse::<i32>().is_ok() => {
+            Some(format!(r"{figures} \cdot 10^{{{power}}}"))
+        }
+        None if is_decimal(&number) => Some(number),
+        _ => None,
+    }
+}
 
 static TABLE: &[Row] = &[
     // derivatives and differentials
@@ -103,6 +125,10 @@ static TABLE: &[Row] = &[
     ("vdot", &[], As(&[r"\cdot "])),
     ("cross", &[], As(&[r"\times "])),
     ("num", &[Optional, Needed], Number),
+    ("ang", &[Optional, Needed], Angle),
+    ("SI", &[Optional, Needed, Optional, Needed], Quantity),
+    ("si", &[Optional, Needed], Quantity),
+    ("unit", &[Optional, Needed], Quantity),
     // fractions
     ("nicefrac", &[Needed, Needed], As(&[r"\frac{#1}{#2}"])),
     ("sfrac", &[Needed, Needed], As(&[r"\frac{#1}{#2}"])),
@@ -169,6 +195,8 @@ impl<'a> Plain<'a> {
             names,
         };
         writer.group(0, source.len(), 0);
+        // what ends with a command ends where that does
+        writer.parts.push((writer.text.len(), source.len(), true));
         match writer.is_changed {
             true => Self {
                 text: Cow::Owned(writer.text),
@@ -207,6 +235,22 @@ impl<'a> Plain<'a> {
             Some((start, from, true)) => from + (at - start),
             Some((_, from, false)) => *from,
             None => at,
+        }
+    }
+
+    /// Returns the place in the source at which ends what ends in front of a byte of the text: the end of the command that was
+    /// written so.
+    pub(super) fn source_end(&self, at: usize) -> usize {
+        let last = at.saturating_sub(1);
+        let after = self.parts.partition_point(|(start, ..)| *start <= last);
+        match after.checked_sub(1).and_then(|last| self.parts.get(last)) {
+            Some((_, from, false)) => {
+                let mut behind = self.parts.iter().skip(after);
+                behind
+                    .find(|(_, next, _)| next > from)
+                    .map_or(from + 1, |(_, next, _)| *next)
+            }
+            _ => self.source(last) + 1,
         }
     }
 }
@@ -876,6 +920,11 @@ impl<'a> Writer<'a, '_> {
         }
     }
 
+    /// Returns true if a slash stands in front of what begins at a place, or a power behind its end.
+    fn is_parted(&self, at: usize, next: usize, end: usize) -> bool {
+        self.slice(0, at).trim_end().ends_with('/') || self.byte(self.after_blanks(next, end)) == b'^'
+    }
+
     /// Writes the command between two bytes as what it stands for, and returns where its arguments end.
     fn command(&mut self, at: usize, name_end: usize, end: usize, depth: usize) -> Option<usize> {
         let name = self.slice(at + 1, name_end);
@@ -919,23 +968,32 @@ impl<'a> Writer<'a, '_> {
                 self.write(" ", at);
             }
             Number => {
-                let number = text(last.as_ref()).trim().to_ascii_lowercase();
-                // 1,000 may be a thousand, and what a slash or a power takes of a product is not seen
-                let before = self.slice(0, at).trim_end();
-                let is_product = number.contains('e');
-                let is_parted = before.ends_with('/') || self.byte(self.after_blanks(next, end)) == b'^';
-                if number.contains(',') || (is_product && is_parted) {
+                let shown = decimal(text(last.as_ref()))?;
+                // what a slash or a power takes of a product is not seen
+                if shown.contains(' ') && self.is_parted(at, next, end) {
                     return None;
                 }
-                let is_decimal = |text: &str| text.trim_start_matches(['-', '+']).parse::<f64>().is_ok();
-                let shown = match number.split_once('e') {
-                    Some((figures, power)) if is_decimal(figures) && power.parse::<i32>().is_ok() => {
-                        format!(r"{figures} \cdot 10^{{{power}}}")
-                    }
-                    None if is_decimal(&number) => number,
-                    _ => return None,
-                };
                 self.write(&shown, at);
+            }
+            Angle => {
+                let number = text(last.as_ref()).trim();
+                number.parse::<f64>().ok().filter(|number| number.is_finite())?;
+                self.write(&format!(r"{number}^\circ "), at);
+            }
+            Quantity => {
+                let unit = unit(text(last.as_ref()))?;
+                let number = match wanted.len() {
+                    4 => format!(r"{} \cdot ", decimal(text(found.get(1).and_then(Option::as_ref)))?),
+                    _ => String::new(),
+                };
+                let is_beside = self
+                    .slice(0, at)
+                    .trim_end()
+                    .ends_with(|c: char| c.is_alphanumeric() || c == '}');
+                match is_beside || self.is_parted(at, next, end) {
+                    true => self.write(&format!(r"\frac{{{number}{unit}}}{{1}}"), at),
+                    false => self.write(&format!("{number}{unit}"), at),
+                }
             }
             Named(sign) => {
                 let script = self.after_blanks(next, end);

@@ -79,6 +79,7 @@ mod symbol;
 mod symbols;
 mod token;
 mod tree;
+mod units;
 
 pub use command::holds_unknown;
 pub use command::with_commands;

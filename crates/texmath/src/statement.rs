@@ -74,7 +74,7 @@ pub(super) fn divided<'a>(tex: &'a str, plain: &Plain<'_>) -> Result<Vec<Stateme
     }
     let mut tokens = lex(tex).map_err(|fault| fault.moved(|at| plain.source(at)))?;
     for token in &mut tokens {
-        (token.at, token.end) = (plain.source(token.at), plain.source(token.end.saturating_sub(1)) + 1);
+        (token.at, token.end) = (plain.source(token.at), plain.source_end(token.end));
     }
     let mut statements = statements(tokens)?;
     for statement in &mut statements {

@@ -392,9 +392,7 @@ impl Symbols {
 
 /// Returns the sides of equations, each with a name.
 fn sides_of<'e>(name: &'e Name, equations: &'e [Equation]) -> Vec<(&'e Name, &'e Tree)> {
-    let sides = equations
-        .iter()
-        .flat_map(|equation| [&equation.left, &equation.right]);
+    let sides = equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
     sides.map(|side| (name, side)).collect()
 }
 

@@ -1,0 +1,208 @@
+//! Units of the package siunitx, `\kilo\gram\per\cubic\meter`, as powers of ten and of base units.
+
+use std::collections::BTreeMap;
+
+/// Prefixes with their powers of ten.
+const PREFIXES: [(&str, i32); 15] = [
+    ("femto", -15),
+    ("pico", -12),
+    ("nano", -9),
+    ("micro", -6),
+    ("milli", -3),
+    ("centi", -2),
+    ("deci", -1),
+    ("deca", 1),
+    ("deka", 1),
+    ("hecto", 2),
+    ("kilo", 3),
+    ("mega", 6),
+    ("giga", 9),
+    ("tera", 12),
+    ("peta", 15),
+];
+
+/// The name of a unit, a whole factor, a power of ten, and powers of base units.
+type Unit = (&'static str, i32, i32, &'static [(&'static str, i32)]);
+
+/// The units that are known. Degrees Celsius are none: their zero is another.
+const UNITS: [Unit; 33] = [
+    ("meter", 1, 0, &[("meter", 1)]),
+    ("metre", 1, 0, &[("meter", 1)]),
+    ("gram", 1, 0, &[("gram", 1)]),
+    ("kg", 1, 3, &[("gram", 1)]),
+    ("tonne", 1, 6, &[("gram", 1)]),
+    ("second", 1, 0, &[("second", 1)]),
+    ("minute", 60, 0, &[("second", 1)]),
+    ("hour", 3600, 0, &[("second", 1)]),
+    ("day", 86400, 0, &[("second", 1)]),
+    ("ampere", 1, 0, &[("ampere", 1)]),
+    ("kelvin", 1, 0, &[("kelvin", 1)]),
+    ("mole", 1, 0, &[("mole", 1)]),
+    ("candela", 1, 0, &[("candela", 1)]),
+    ("radian", 1, 0, &[]),
+    ("percent", 1, -2, &[]),
+    ("hertz", 1, 0, &[("second", -1)]),
+    ("newton", 1, 3, &[("gram", 1), ("meter", 1), ("second", -2)]),
+    ("pascal", 1, 3, &[("gram", 1), ("meter", -1), ("second", -2)]),
+    ("bar", 1, 8, &[("gram", 1), ("meter", -1), ("second", -2)]),
+    ("joule", 1, 3, &[("gram", 1), ("meter", 2), ("second", -2)]),
+    ("watt", 1, 3, &[("gram", 1), ("meter", 2), ("second", -3)]),
+    ("coulomb", 1, 0, &[("ampere", 1), ("second", 1)]),
+    (
+        "volt",
+        1,
+        3,
+        &[("gram", 1), ("meter", 2), ("second", -3), ("ampere", -1)],
+    ),
+    (
+        "ohm",
+        1,
+        3,
+        &[("gram", 1), ("meter", 2), ("second", -3), ("ampere", -2)],
+    ),
+    (
+        "siemens",
+        1,
+        -3,
+        &[("gram", -1), ("meter", -2), ("second", 3), ("ampere", 2)],
+    ),
+    (
+        "farad",
+        1,
+        -3,
+        &[("gram", -1), ("meter", -2), ("second", 4), ("ampere", 2)],
+    ),
+    (
+        "weber",
+        1,
+        3,
+        &[("gram", 1), ("meter", 2), ("second", -2), ("ampere", -1)],
+    ),
+    ("tesla", 1, 3, &[("gram", 1), ("second", -2), ("ampere", -1)]),
+    (
+        "henry",
+        1,
+        3,
+        &[("gram", 1), ("meter", 2), ("second", -2), ("ampere", -2)],
+    ),
+    ("liter", 1, -3, &[("meter", 3)]),
+    ("litre", 1, -3, &[("meter", 3)]),
+    ("hectare", 1, 4, &[("meter", 2)]),
+    ("electronvolt", 1, 0, &[("electronvolt", 1)]),
+];
+
+/// The largest power of a unit.
+const LARGEST: i32 = 20;
+
+/// A unit with what is said of it: `\per\milli\meter\squared`.
+#[derive(Clone, Copy)]
+struct Factor {
+    unit: Option<&'static Unit>,
+    prefix: i32,
+    power: i32,
+    is_below: bool,
+}
+
+const PLAIN: Factor = Factor {
+    unit: None,
+    prefix: 0,
+    power: 1,
+    is_below: false,
+};
+
+/// Returns a unit as a product in TeX, `10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{-3}`; nothing where it is not known.
+pub fn unit(text: &str) -> Option<String> {
+    let (mut ten, mut powers) = (0, BTreeMap::<&str, i32>::new());
+    let mut parts = Vec::new();
+    for factor in factors(text)? {
+        let (_, whole, own, bases) = factor.unit?;
+        let power = if factor.is_below { -factor.power } else { factor.power };
+        ten += (own + factor.prefix) * power;
+        if *whole != 1 {
+            parts.push(format!("{whole}^{{{power}}}"));
+        }
+        for (base, exponent) in *bases {
+            *powers.entry(base).or_default() += exponent * power;
+        }
+    }
+    if ten != 0 || (parts.is_empty() && powers.is_empty()) {
+        parts.push(format!("10^{{{ten}}}"));
+    }
+    for (base, power) in powers.into_iter().filter(|(_, power)| *power != 0) {
+        parts.push(match power {
+            1 => format!(r"\upsilon_{{\mathrm{{{base}}}}}"),
+            power => format!(r"\upsilon_{{\mathrm{{{base}}}}}^{{{power}}}"),
+        });
+    }
+    Some(parts.join(r" \cdot "))
+}
+
+/// Returns the factors that a unit is written as.
+fn factors(text: &str) -> Option<Vec<Factor>> {
+    let (mut found, mut next, mut rest) = (Vec::<Factor>::new(), PLAIN, text.trim());
+    while !rest.is_empty() {
+        let command = rest.strip_prefix('\\')?;
+        let length = command.bytes().take_while(u8::is_ascii_alphabetic).count();
+        let (name, behind) = command.split_at_checked(length)?;
+        rest = behind.trim_start_matches(|c: char| c.is_whitespace() || "~.".contains(c));
+        match name {
+            "per" => next.is_below = true,
+            "square" => next.power = 2,
+            "cubic" => next.power = 3,
+            "squared" => found.last_mut()?.power = 2,
+            "cubed" => found.last_mut()?.power = 3,
+            "tothe" => {
+                let (digits, behind) = rest.strip_prefix('{')?.split_once('}')?;
+                rest = behind.trim_start();
+                let power = digits.trim().parse().ok();
+                found.last_mut()?.power = power.filter(|power| (-LARGEST..=LARGEST).contains(power))?;
+            }
+            name => match PREFIXES.iter().find(|(known, _)| *known == name) {
+                Some((_, power)) => next.prefix = *power,
+                None => {
+                    next.unit = Some(UNITS.iter().find(|(known, ..)| *known == name)?);
+                    found.push(next);
+                    next = PLAIN;
+                }
+            },
+        }
+    }
+    let is_whole = next.prefix == 0 && next.power == 1 && !next.is_below;
+    is_whole.then_some(found).filter(|found| !found.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_products_of_base_units() {
+        for (text, wanted) in [
+            (r"\metre", r"\upsilon_{\mathrm{meter}}"),
+            (
+                r"\kilo\gram\per\cubic\metre",
+                r"10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{-3}",
+            ),
+            (r"\centi\meter\squared", r"10^{-4} \cdot \upsilon_{\mathrm{meter}}^{2}"),
+            (r"\km", ""),
+            (
+                r"\kilo\meter\per\hour",
+                r"3600^{-1} \cdot 10^{3} \cdot \upsilon_{\mathrm{meter}} \cdot \upsilon_{\mathrm{second}}^{-1}",
+            ),
+            (
+                r"\newton \metre",
+                r"10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{2} \cdot \upsilon_{\mathrm{second}}^{-2}",
+            ),
+            (r"\per\second\tothe{4}", r"\upsilon_{\mathrm{second}}^{-4}"),
+            (r"\radian", "10^{0}"),
+            (r"\degreeCelsius", ""),
+            (r"\meter\per", ""),
+            ("m/s", ""),
+            (r"\tothe{2}", ""),
+            (r"\meter\tothe{200000}", ""),
+            ("", ""),
+        ] {
+            assert_eq!(unit(text).unwrap_or_default(), wanted, "{text}");
+        }
+    }
+}
