@@ -2210,6 +2210,54 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
 }
 
 #[test]
+fn what_words_say_of_letters_and_logarithms_is_not_proved_of_real_numbers() {
+    for said in [
+        r"Lower-case letters denote matrices throughout.",
+        r"The Jacobian $u$ and the Hessian $v$ enter as",
+        r"Rotations $u$ and $v$ of space are composed as",
+        r"Let $u, v$ be reflections in the plane and",
+        r"Bosonic ladder operators are written $u$ and $v$.",
+        r"Anticommuting (Grassmann) variables $u$ and $v$ obey",
+        r"Let $u$, $v$ be formal symbols that do not commute, and",
+        r"In what follows $u$ and $v$ stand for endomorphisms.",
+        r"Let $u, v \in \mathbb{H}$ with",
+    ] {
+        let ran = audited(&format!("% a note\n{said} \\[ z = u v. \\] Then \\[ z = v u. \\]\n"));
+        assert!(!ran.stdout.contains(",proved,"), "{said}: {}", ran.stdout);
+    }
+    for (text, is_proved) in [
+        (
+            r"The complex amplitude $a$ fulfils \[ a^4 = 1. \] Then \[ a^2 = 1. \]",
+            false,
+        ),
+        (r"A length fulfils \[ a^4 = 1. \] Then \[ a^2 = 1. \]", true),
+        (
+            r"The impedance $Z$ has modulus \[ M = |Z|. \] Then \[ M^2 = Z^2. \]",
+            false,
+        ),
+        (
+            r"Here $\log$ denotes the logarithm to base $10$. \[ y = \log x \] Then \[ x = e^y. \]",
+            false,
+        ),
+        (r"Taking logarithms, \[ y = \log x \] Then \[ x = e^y. \]", true),
+        (
+            r"The matrix of the weights $\beta$ and $x$ has \[ z = \beta x \] Then \[ z = x \beta. \]",
+            true,
+        ),
+    ] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        assert_eq!(ran.stdout.contains(",proved,"), is_proved, "{text}: {}", ran.stdout);
+    }
+}
+
+#[test]
+fn a_link_of_matrices_that_rests_on_what_is_not_read_stops_no_document() {
+    let text = r"Let $A$ and $B$ be matrices. \[ C = A B, \quad -\infty < x < \infty. \] \begin{align*} \operatorname{Var}(X) &= C A - [C(A)]^2 \\ &= \int_{-\infty}^{\infty} x^2 C \, dx - A B A \end{align*}";
+    let ran = audited(&format!("% a note\n{text}\n"));
+    assert_eq!(ran.status, Some(0), "{} {}", ran.stdout, ran.stderr);
+}
+
+#[test]
 fn the_first_repair_is_one_with_which_the_links_beside_it_hold() {
     let text = r"\begin{align*} S &= (a-b)^2 + (b-c)^2 + (c-a)^2 \\ &= (a^2-2ab+b^2) + (b^2-2bc+c^2) + (c-a)^2 \\ &= (a-b)^2 + (b-c)^2 + (c+a)^2 \end{align*}";
     let ran = audited(&format!("% a note\n{text}\n"));

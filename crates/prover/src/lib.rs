@@ -222,16 +222,16 @@ impl<'a> Search<'a> {
                     .map(ToString::to_string)
                     .collect();
                 let reason = format!("no proof is found that keeps the order of factors: {}", open.join("; "));
-                let of_numbers = match self.start.standing {
-                    Standing::Link => Ok(self.decide(sheet, position)),
-                    _ => Decision::without_search(sheet, position).map(|_| self.start.clone()),
-                };
-                match of_numbers {
-                    Ok(decision) if decision.verdict == Verdict::Refuted => decision,
-                    Ok(_) => Decision {
-                        reason,
-                        ..self.start.clone()
-                    },
+                match Decision::without_search(sheet, position) {
+                    Ok(_) => {
+                        let is_link = self.start.standing == Standing::Link;
+                        let of_numbers = is_link.then(|| self.decide(sheet, position));
+                        let refuted = of_numbers.filter(|decision| decision.verdict == Verdict::Refuted);
+                        refuted.unwrap_or_else(|| Decision {
+                            reason,
+                            ..self.start.clone()
+                        })
+                    }
                     Err(unread) => *unread,
                 }
             }

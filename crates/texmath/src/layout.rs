@@ -990,7 +990,12 @@ impl<'a> Writer<'a, '_> {
                     .slice(0, at)
                     .trim_end()
                     .ends_with(|c: char| c.is_alphanumeric() || c == '}');
-                match is_beside || self.is_parted(at, next, end) {
+                // a bracket behind a letter may hold its argument
+                let behind = self.slice(self.after_blanks(next, end), end);
+                let has_bracket = ["(", "[", r"\left", r"\big", r"\Big"]
+                    .iter()
+                    .any(|open| behind.starts_with(open));
+                match is_beside || has_bracket || number.starts_with(['-', '+']) || self.is_parted(at, next, end) {
                     true => self.write(&format!(r"\frac{{{number}{unit}}}{{1}}"), at),
                     false => self.write(&format!("{number}{unit}"), at),
                 }
@@ -1371,6 +1376,21 @@ mod tests {
             (r"\mqty[a & b \\ c & d]", r"\begin{bmatrix}a & b \\ c & d\end{bmatrix}"),
             (r"x / \num{2e3}", r"x / \num{2e3}"),
             (r"\num{1.5e-3} m", r"1.5 \cdot 10^{-3} m"),
+            (r"\ang{30} + x", r"30^\circ + x"),
+            (r"\ang{1;30;}", r"\ang{1;30;}"),
+            (
+                r"x - \SI{-2}{\meter}",
+                r"x - \frac{-2 \cdot \upsilon_{\mathrm{meter}}}{1}",
+            ),
+            (
+                r"\SI{2e3}{\meter} (a + b)",
+                r"\frac{2 \cdot 10^{3} \cdot \upsilon_{\mathrm{meter}}}{1} (a + b)",
+            ),
+            (r"x/\si{\second}", r"x/\frac{\upsilon_{\mathrm{second}}}{1}"),
+            (
+                r"\SI{5}{\parsec} + \SI{1,000}{\meter}",
+                r"\SI{5}{\parsec} + \SI{1,000}{\meter}",
+            ),
             (r"a = b \qed", "a = b"),
             (r"\underbrace{a + b}_{c} - b", "a + b - b"),
             (r"\underbrace{a + b}_{c} - c", r"\underbrace{a + b}_{c} - c"),

@@ -102,6 +102,8 @@ pub(super) struct Guess {
     opaque: Option<RawOpaque>,
     /// True if small letters may be columns.
     pub may_have_columns: bool,
+    /// True if the text may say to which base logarithms are.
+    says_base: bool,
     /// True if the document declares symbols.
     pub has_symbols: bool,
     /// True if it uses no others.
@@ -724,6 +726,7 @@ impl Guess {
             opaque,
             given_functions,
             may_have_columns: Marks::may_have_columns(read.iter().flatten()),
+            says_base: members.says_base,
             factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
             spoken_last: spoken_last(formulas, &read),
@@ -1296,6 +1299,13 @@ impl Guess {
             doubts.push("a value that speaks of an index, which a sum moves".to_owned());
         }
         doubts.extend(self.another_value(labels.iter().copied().chain([label])));
+        let is_logarithm = |node: &Tree| matches!(node, Tree::Call(name, ..) if name.base == r"\log");
+        let takes_logarithms = all
+            .clone()
+            .any(|equation| any_side(equation, &mut |node| is_logarithm(node)));
+        if self.says_base && takes_logarithms {
+            doubts.push(r"`\log`: natural, or to the base that the text says?".to_owned());
+        }
         if all.any(|equation| self.marks.inverts_a_rectangle(equation)) {
             doubts.push("the inverse of a matrix that is not square?".to_owned());
         }

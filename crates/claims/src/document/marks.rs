@@ -845,7 +845,12 @@ impl Marks {
             ));
         }
         let complex = found(&self.complex);
-        if !complex.is_empty() && is_real_only(&self.complex) {
+        // a^4 = 1 has more solutions
+        let is_power =
+            |node: &Tree| matches!(node, Tree::Power(of, 2.., _) if holds(of, &|name| self.complex.contains(name)));
+        let may_have_more =
+            !stated.below.is_empty() && all().any(|equation| any_side(equation, &mut |node| is_power(node)));
+        if !complex.is_empty() && (may_have_more || is_real_only(&self.complex)) {
             doubts.push(format!(
                 "{}: real, or complex, as the document marks them?",
                 complex.join(", ")

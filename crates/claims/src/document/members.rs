@@ -23,6 +23,12 @@ pub(super) struct Members {
     pub said: Vec<(BTreeSet<String>, String)>,
     /// True if words of the text may say that a product is less than it looks.
     pub says_more: bool,
+    /// True if the text calls capital letters matrices or operators.
+    pub large_are_matrices: bool,
+    /// True if the text calls small letters so.
+    pub small_are_matrices: bool,
+    /// True if the text may say to which base logarithms are.
+    pub says_base: bool,
     /// True if the text speaks of transposes.
     pub says_transposed: bool,
     /// True if the text speaks of complex numbers.
@@ -59,30 +65,49 @@ const OF_MATRICES: [&str; 14] = [
 ];
 
 /// Words for what does not commute, and for complex numbers (true), beside the letters that they are said of.
-const WORDS: [(&str, bool); 23] = [
+const WORDS: [(&str, bool); 42] = [
     ("vector", false),
     ("positive definite", false),
     ("semidefinite", false),
     ("nilpotent", false),
     ("matrix", false),
     ("matrices", false),
-    ("Matrices", false),
+    ("array", false),
+    ("jacobian", false),
+    ("hessian", false),
     ("operator", false),
     ("quaternion", false),
+    ("octonion", false),
     ("tensor", false),
-    ("Hermitian", false),
+    ("hermitian", false),
     ("unitary", false),
     ("linear map", false),
     ("endomorphism", false),
+    ("homomorphism", false),
+    ("projection", false),
     ("rotation", false),
+    ("reflection", false),
+    ("propagator", false),
+    ("differentiation", false),
     ("generators", false),
+    ("grassmann", false),
+    ("angular momentum", false),
+    ("spin component", false),
+    ("permutation", false),
     ("commut", false),
     ("elements of", false),
     ("observables", false),
     ("complex", true),
-    ("Complex", true),
     ("phasor", true),
     ("wave function", true),
+    ("of unity", true),
+    ("impedance", true),
+    ("admittance", true),
+    ("frequency response", true),
+    ("transfer function", true),
+    ("reflection coefficient", true),
+    ("fourier coefficient", true),
+    ("laplace variable", true),
 ];
 
 /// Words of texts about vectors and matrices.
@@ -99,7 +124,7 @@ const OF_VECTORS: [&str; 9] = [
 ];
 
 /// Words for matrices and nothing else.
-const MATRICES: [&str; 3] = ["matrix", "matrices", "Matrices"];
+const MATRICES: [&str; 2] = ["matrix", "matrices"];
 
 /// Words of texts about complex numbers, without a first letter that may be a capital.
 const OF_COMPLEX_NUMBERS: [&str; 20] = [
@@ -129,12 +154,13 @@ impl Members {
     /// Collects what a text says of its letters, within formulas and between them.
     pub fn of_text(text: &str) -> Self {
         let mut members = Self::default();
+        let lower = text.to_ascii_lowercase();
         for (word, is_complex) in WORDS {
             let marked = match is_complex {
                 true => &mut members.complex,
                 false => &mut members.operators,
             };
-            for (at, _) in text.match_indices(word) {
+            for (at, _) in lower.match_indices(word) {
                 let beside = letters_beside(text, at, at + word.len());
                 if MATRICES.contains(&word) {
                     members
@@ -153,6 +179,26 @@ impl Members {
                 }
             }
         }
+        for word in ["matrices", "operators"] {
+            for (at, _) in lower.match_indices(word) {
+                let (before, behind) = clause(&lower, at, at + word.len());
+                let says = |words: &[&str]| words.iter().any(|word| before.contains(word) || behind.contains(word));
+                // bold letters are told by their print
+                if !says(&["bold"]) {
+                    members.large_are_matrices |= says(&["capitals", "capital letters", "upper-case", "uppercase"]);
+                    members.small_are_matrices |= says(&["lower-case", "lowercase", "small letters"]);
+                }
+            }
+        }
+        let of_bases = ["decibel", "in bits", " ph ", "$\\mathrm{ph}$", "richter", r"\log_"];
+        members.says_base = lower.contains("log") && of_bases.iter().any(|word| lower.contains(word))
+            || lower.match_indices("logarithm").any(|(at, word)| {
+                let (before, behind) = clause(&lower, at, at + word.len());
+                [before, behind]
+                    .iter()
+                    .any(|part| part.contains("base") || part.contains("binary"))
+            })
+            || lower.contains(r"\log$ for");
         let inline = inline(text);
         // `$I$`, `$I \in`, `$I(\theta)$`, `$A, I$`
         let speaks_of = |letter: &str| {
@@ -249,6 +295,9 @@ impl Members {
             let is_complex = named(&[r"\mathbb{C}", r"\mathbb C", r"\mathbf{C}", r"\C", r"\Complex", r"\CC"]);
             let is_real = named(&[r"\mathbb{R}", r"\mathbb R", r"\mathbf{R}", r"\R", r"\Reals", r"\RR"]);
             let is_group = named(&[
+                r"\mathbb{H}",
+                r"\mathbb H",
+                r"\mathbb{O}",
                 "M_",
                 r"\mathrm{M}",
                 r"\mathcal{M}",
@@ -313,6 +362,12 @@ impl Members {
 
     /// Adds what a displayed formula marks by how it is printed.
     pub fn add(&mut self, tex: &str) {
+        let is_called = |letter: &String| match is_small(letter) {
+            true => self.small_are_matrices,
+            false => self.large_are_matrices,
+        };
+        let called: Vec<String> = letters(tex).filter(is_called).collect();
+        self.operators.extend(called);
         let compact: String = tex.chars().filter(|c| !c.is_whitespace()).collect();
         if compact.contains(r"\angle") {
             self.complex.extend(letters(tex));
@@ -367,6 +422,22 @@ fn is_small(letter: &str) -> bool {
         .starts_with(|c: char| c.is_ascii_lowercase())
 }
 
+/// Verbs that say what a letter is.
+const VERBS: [&str; 9] = [
+    "is",
+    "are",
+    "be",
+    "denote",
+    "denotes",
+    "stand",
+    "stands",
+    "form",
+    "represent",
+];
+
+/// Words that begin something else.
+const PREPOSITIONS: [&str; 8] = ["at", "for", "from", "in", "of", "on", "to", "with"];
+
 /// Returns the letters that a word of a text, between two places, is said of: `invertible matrices $A$ and $B$`, `$A$ is
 /// invertible`, `let $A$ be a square matrix`; one that may be a noun by itself, `quaternions $q$ and $r$`, too. No letter is
 /// returned for `$X^\top X$ is invertible` or `least square`.
@@ -388,24 +459,32 @@ fn letters_called(text: &str, start: usize, end: usize, may_be_noun: bool) -> Ve
     );
     let is_part = before.ends_with(|c: char| c.is_alphanumeric() || c == '-')
         || behind.starts_with(|c: char| c.is_alphanumeric() || c == '-');
-    if (is_part && !may_be_noun) || told.iter().chain(&adjectives).any(|word| word == "not") {
+    // `symbols $x$, $y$ that do not commute`
+    let says_not = !may_be_noun && told.iter().chain(&adjectives).any(|word| word == "not");
+    if (is_part && !may_be_noun) || says_not {
         return Vec::new();
     }
     let is_noun = |word: &String| word.starts_with("matri");
     let noun = adjectives.iter().position(is_noun);
-    let is_verb = |word: &String| ["is", "are", "be"].contains(&word.as_str());
+    let is_verb = |word: &String| VERBS.contains(&word.as_str());
     let is_said = told.iter().any(is_verb);
-    let is_plural = |word: &String| word.ends_with('s');
+    // `quaternions $q$`, `Grassmann variables $u$ and $v$`, `operators are written $b$`
+    let is_noun_itself = match adjectives.as_slice() {
+        [] => true,
+        [.., last] => {
+            let is_named = ["by", "as", "written", "called", "denoted"].contains(&last.as_str());
+            // `the matrix of the weights $w$`
+            let has_another = adjectives.iter().any(|word| PREPOSITIONS.contains(&word.as_str()));
+            adjectives.len() < 4 && !has_another && (last.ends_with('s') || is_named)
+        }
+    };
     // the formulas of a list have nothing but these between them
     let goes_on = |between: &str| ["", ",", "and", ", and"].contains(&between.trim());
     let pieces: Vec<&str> = match noun {
         // `an invertible matrix $A$`
         Some(noun) if noun + 1 == adjectives.len() && behind.contains('$') => behind.split('$').skip(1).collect(),
         _ if is_said && before.contains('$') => before.rsplit('$').skip(1).collect(),
-        // `quaternions $q$`, `non-commuting variables $u$ and $v$`
-        _ if may_be_noun && adjectives.iter().all(is_plural) && behind.contains('$') => {
-            behind.split('$').skip(1).collect()
-        }
+        _ if may_be_noun && is_noun_itself && behind.contains('$') => behind.split('$').skip(1).collect(),
         _ => return Vec::new(),
     };
     let mut found = Vec::new();
