@@ -91,6 +91,53 @@ const UNITS: [Unit; 33] = [
     ("electronvolt", 1, 0, &[("electronvolt", 1)]),
 ];
 
+/// Symbols of units: those of `\SI{5}{km/h}`, and of the short names `\kHz` and `\kohm`.
+const SYMBOLS: [(&str, &str); 27] = [
+    ("m", "meter"),
+    ("g", "gram"),
+    ("t", "tonne"),
+    ("s", "second"),
+    ("min", "minute"),
+    ("h", "hour"),
+    ("d", "day"),
+    ("A", "ampere"),
+    ("K", "kelvin"),
+    ("mol", "mole"),
+    ("cd", "candela"),
+    ("rad", "radian"),
+    ("Hz", "hertz"),
+    ("N", "newton"),
+    ("Pa", "pascal"),
+    ("bar", "bar"),
+    ("J", "joule"),
+    ("W", "watt"),
+    ("C", "coulomb"),
+    ("V", "volt"),
+    ("ohm", "ohm"),
+    ("F", "farad"),
+    ("T", "tesla"),
+    ("H", "henry"),
+    ("L", "liter"),
+    ("l", "liter"),
+    ("eV", "electronvolt"),
+];
+
+/// The letters of prefixes.
+const LETTERS: [(&str, &str); 12] = [
+    ("f", "femto"),
+    ("p", "pico"),
+    ("n", "nano"),
+    ("u", "micro"),
+    ("m", "milli"),
+    ("c", "centi"),
+    ("d", "deci"),
+    ("h", "hecto"),
+    ("k", "kilo"),
+    ("M", "mega"),
+    ("G", "giga"),
+    ("T", "tera"),
+];
+
 /// The largest power of a unit.
 const LARGEST: i32 = 20;
 
@@ -137,30 +184,69 @@ pub fn unit(text: &str) -> Option<String> {
     Some(parts.join(r" \cdot "))
 }
 
+/// Returns the unit of a name or symbol, with the power of ten of its prefix: `kilogram`, `kHz`, `min`.
+fn named(name: &str) -> Option<(i32, &'static Unit)> {
+    let known = |name: &str| UNITS.iter().find(|(known, ..)| *known == name);
+    let symbol = |symbol: &str| {
+        SYMBOLS
+            .iter()
+            .find(|(known, _)| *known == symbol)
+            .and_then(|(_, name)| known(name))
+    };
+    let power = |prefix: &str| {
+        PREFIXES
+            .iter()
+            .find(|(known, _)| *known == prefix)
+            .map(|(_, power)| *power)
+    };
+    let plain = known(name).or_else(|| symbol(name)).map(|unit| (0, unit));
+    let whole = || {
+        PREFIXES
+            .iter()
+            .find_map(|(prefix, power)| Some((*power, known(name.strip_prefix(prefix)?)?)))
+    };
+    let short = || {
+        let of_letter = |(letter, prefix): &(&str, &str)| Some((power(prefix)?, symbol(name.strip_prefix(letter)?)?));
+        LETTERS.iter().find_map(of_letter)
+    };
+    plain.or_else(whole).or_else(short)
+}
+
 /// Returns the factors that a unit is written as.
 fn factors(text: &str) -> Option<Vec<Factor>> {
     let (mut found, mut next, mut rest) = (Vec::<Factor>::new(), PLAIN, text.trim());
     while !rest.is_empty() {
-        let command = rest.strip_prefix('\\')?;
-        let length = command.bytes().take_while(u8::is_ascii_alphabetic).count();
-        let (name, behind) = command.split_at_checked(length)?;
+        let (is_command, behind) = match rest.strip_prefix('\\') {
+            Some(behind) => (true, behind),
+            None => (false, rest),
+        };
+        let length = behind.bytes().take_while(u8::is_ascii_alphabetic).count();
+        let (name, behind) = behind.split_at_checked(length)?;
         rest = behind.trim_start_matches(|c: char| c.is_whitespace() || "~.".contains(c));
-        match name {
-            "per" => next.is_below = true,
-            "square" => next.power = 2,
-            "cubic" => next.power = 3,
-            "squared" => found.last_mut()?.power = 2,
-            "cubed" => found.last_mut()?.power = 3,
-            "tothe" => {
-                let (digits, behind) = rest.strip_prefix('{')?.split_once('}')?;
-                rest = behind.trim_start();
-                let power = digits.trim().parse().ok();
-                found.last_mut()?.power = power.filter(|power| (-LARGEST..=LARGEST).contains(power))?;
+        match (is_command, name) {
+            (true, "per") => next.is_below = true,
+            (true, "square") => next.power = 2,
+            (true, "cubic") => next.power = 3,
+            (true, "squared") => found.last_mut()?.power = 2,
+            (true, "cubed") => found.last_mut()?.power = 3,
+            (true, "cdot") => {}
+            (true, "tothe") => found.last_mut()?.power = exponent(&mut rest)?,
+            (false, "") => {
+                let sign = rest.chars().next()?;
+                rest = rest.get(sign.len_utf8()..)?;
+                match sign {
+                    '/' if !found.is_empty() => next.is_below = true,
+                    '^' => found.last_mut()?.power = exponent(&mut rest)?,
+                    _ => return None,
+                }
+                rest = rest.trim_start_matches(|c: char| c.is_whitespace() || "~.".contains(c));
             }
-            name => match PREFIXES.iter().find(|(known, _)| *known == name) {
+            (_, name) => match PREFIXES.iter().find(|(known, _)| is_command && *known == name) {
                 Some((_, power)) => next.prefix = *power,
                 None => {
-                    next.unit = Some(UNITS.iter().find(|(known, ..)| *known == name)?);
+                    let (power, unit) = named(name)?;
+                    next.unit = Some(unit);
+                    next.prefix += power;
                     found.push(next);
                     next = PLAIN;
                 }
@@ -169,6 +255,17 @@ fn factors(text: &str) -> Option<Vec<Factor>> {
     }
     let is_whole = next.prefix == 0 && next.power == 1 && !next.is_below;
     is_whole.then_some(found).filter(|found| !found.is_empty())
+}
+
+/// Takes an exponent from the front of a text, in braces or a digit.
+fn exponent(rest: &mut &str) -> Option<i32> {
+    let (digits, behind) = match rest.strip_prefix('{') {
+        Some(inside) => inside.split_once('}')?,
+        None => rest.split_at_checked(1)?,
+    };
+    *rest = behind.trim_start();
+    let power = digits.trim().parse().ok();
+    power.filter(|power| (-LARGEST..=LARGEST).contains(power))
 }
 
 #[cfg(test)]
@@ -184,7 +281,25 @@ mod tests {
                 r"10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{-3}",
             ),
             (r"\centi\meter\squared", r"10^{-4} \cdot \upsilon_{\mathrm{meter}}^{2}"),
-            (r"\km", ""),
+            (r"\km", r"10^{3} \cdot \upsilon_{\mathrm{meter}}"),
+            (
+                r"\kohm",
+                r"10^{6} \cdot \upsilon_{\mathrm{ampere}}^{-2} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{2} \cdot \upsilon_{\mathrm{second}}^{-3}",
+            ),
+            (r"\kilogram", r"10^{3} \cdot \upsilon_{\mathrm{gram}}"),
+            (
+                "m/s^2",
+                r"\upsilon_{\mathrm{meter}} \cdot \upsilon_{\mathrm{second}}^{-2}",
+            ),
+            (
+                "kg.m^{2} s^{-1}",
+                r"10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{2} \cdot \upsilon_{\mathrm{second}}^{-1}",
+            ),
+            ("mm", r"10^{-3} \cdot \upsilon_{\mathrm{meter}}"),
+            ("min", r"60^{1} \cdot \upsilon_{\mathrm{second}}"),
+            ("1/s", ""),
+            ("/s", ""),
+            ("euros", ""),
             (
                 r"\kilo\meter\per\hour",
                 r"3600^{-1} \cdot 10^{3} \cdot \upsilon_{\mathrm{meter}} \cdot \upsilon_{\mathrm{second}}^{-1}",
@@ -197,7 +312,6 @@ mod tests {
             (r"\radian", "10^{0}"),
             (r"\degreeCelsius", ""),
             (r"\meter\per", ""),
-            ("m/s", ""),
             (r"\tothe{2}", ""),
             (r"\meter\tothe{200000}", ""),
             ("", ""),
