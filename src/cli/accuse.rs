@@ -6,7 +6,7 @@ use crate::repair::{Repair, Repairs, slips};
 use crate::tex::{Equation, Name, Operation, Relation, Tree, any_side, is_opaque, names_in};
 use std::collections::BTreeSet;
 
-/// The most slips of a misprint in a formula with the same letters on both sides; in another one.
+/// The most slips of a misprint in a formula with the same letters on both sides; in any other there is one at most.
 const MOST_SLIPS: usize = 2;
 
 /// The most repairs of a formula that are looked at.
@@ -89,11 +89,14 @@ fn links_beside(sheet: &Sheet, position: usize, entry: &Entry, repair: &Repair, 
     let behind = link(position + 1)
         .filter(|(_, link)| link.left == printed.right)
         .map(|(at, link)| (at, format!("{} = {}", mended.right, link.right)));
-    let holds = |(at, tex): &(usize, String)| {
-        let again = sheet.reprinted(*at, tex, &[]);
-        again.is_some_and(|again| prove::decide(&again, *at, options).verdict == Verdict::Proved)
-    };
-    before.iter().chain(&behind).filter(|link| holds(link)).count()
+    let links = before.iter().chain(&behind);
+    links.filter(|(at, tex)| holds_as(sheet, *at, tex, options)).count()
+}
+
+/// Returns true if the claim at a position is proved with other TeX in its place.
+pub fn holds_as(sheet: &Sheet, position: usize, tex: &str, options: &prove::Options) -> bool {
+    let again = sheet.reprinted(position, tex, &[]);
+    again.is_some_and(|again| prove::decide(&again, position, options).verdict == Verdict::Proved)
 }
 
 /// Returns the letters of a side.
@@ -138,5 +141,5 @@ fn is_loose(entry: &Entry) -> bool {
                 counts_turns(node) || is_letter(node, &["C"]) || is_term(node) || is_of_vectors(node)
             })
     };
-    is_rounded || entry.tex.tex.contains(r"\equiv") || entry.has_more_said || entry.equations.iter().any(is_loose)
+    is_rounded || entry.tex.tex.contains(r"\equiv") || entry.need_not_hold || entry.equations.iter().any(is_loose)
 }

@@ -1,6 +1,6 @@
 //! Decides the claims of a sheet: proofs, witnesses and repairs.
 
-use super::accuse::{may_be_misprinted, misprints};
+use super::accuse::{holds_as, may_be_misprinted, misprints};
 use super::progress::Progress;
 use super::verdicts::{Row, table};
 use super::{Failure, note};
@@ -81,8 +81,12 @@ fn clear_links_behind_suspects(sheet: &Sheet, rows: &mut [Row], options: &prove:
         if are_suspect
             && row.position == before.position + 1
             && let (Some([(_, mended)]), Some([link])) = (mended, equations)
-            && let Some(again) = sheet.reprinted(row.position, &format!("{} = {}", mended.right, link.right), &[])
-            && prove::decide(&again, row.position, options).verdict == Verdict::Proved
+            && holds_as(
+                sheet,
+                row.position,
+                &format!("{} = {}", mended.right, link.right),
+                options,
+            )
         {
             row.decision.verdict = Verdict::Undecided;
             row.decision.reason = format!(

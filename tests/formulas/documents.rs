@@ -2251,9 +2251,25 @@ fn what_words_say_of_letters_and_logarithms_is_not_proved_of_real_numbers() {
 }
 
 #[test]
-fn a_link_of_matrices_that_rests_on_what_is_not_read_stops_no_document() {
-    let text = r"Let $A$ and $B$ be matrices. \[ C = A B, \quad -\infty < x < \infty. \] \begin{align*} \operatorname{Var}(X) &= C A - [C(A)]^2 \\ &= \int_{-\infty}^{\infty} x^2 C \, dx - A B A \end{align*}";
-    let ran = audited(&format!("% a note\n{text}\n"));
+fn a_marked_link_that_rests_on_what_is_not_read_stops_no_document() {
+    // Y^* marks letters of the second link, which follows from a formula that prints its conditions
+    let text = r"# Solution:
+
+$$g(s) = \frac{1}{\sqrt{2\pi}} e^{-s^2/2}$$
+
+# Curves
+
+$$g(s) = \frac{1}{r\sqrt{2\pi}} e^{-(s - m)^2/(2 r^2)}, \quad -\infty < s < \infty.$$
+
+$$V(Y) = Q[(Y - m)^2] = \int_{-\infty}^{\infty} (s - m)^2 g(s) ds$$
+
+$$r_{aY+b} = |a| r_Y$$
+
+$$Y^* = \frac{(Y - m)}{r}$$
+";
+    let ran = program(["audit", "-", "--stdin-name", "curves.md", "--format", "csv"])
+        .input(text)
+        .run();
     assert_eq!(ran.status, Some(0), "{} {}", ran.stdout, ran.stderr);
 }
 

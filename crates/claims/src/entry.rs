@@ -83,8 +83,8 @@ pub struct Entry {
     pub identities: BTreeSet<String>,
     /// True if small letters among them are columns.
     pub columns: bool,
-    /// True if it need not hold: the text around says more of its letters than is read, or that it is a condition.
-    pub has_more_said: bool,
+    /// True if the text around may say that it is a condition, or that a product of its letters is less than it looks.
+    pub need_not_hold: bool,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
     /// The equations of which it says or assumes that one holds.
@@ -161,9 +161,9 @@ pub(super) struct RawEntry {
     /// True if small letters among them are columns.
     #[serde(default)]
     pub columns: bool,
-    /// True if it need not hold: the text around says more of its letters than is read, or that it is a condition.
+    /// True if the text around may say that it is a condition, or that a product of its letters is less than it looks.
     #[serde(skip)]
-    pub has_more_said: bool,
+    pub need_not_hold: bool,
     /// Equations within the text about its letters alone, which nobody says that it follows from.
     #[serde(skip)]
     pub said: Vec<String>,
@@ -198,7 +198,7 @@ impl RawEntry {
             operators: Vec::new(),
             identities: Vec::new(),
             columns: false,
-            has_more_said: false,
+            need_not_hold: false,
             said: Vec::new(),
             marked: Vec::new(),
             unread: None,
@@ -1218,7 +1218,7 @@ pub(super) fn read_entry(
         operators: raw.operators.iter().cloned().collect(),
         identities: raw.identities.iter().cloned().collect(),
         columns: raw.columns,
-        has_more_said: raw.has_more_said,
+        need_not_hold: raw.need_not_hold,
         equations,
         local,
         with,

@@ -2,34 +2,33 @@
 
 use std::collections::BTreeMap;
 
-/// Prefixes with their powers of ten.
-const PREFIXES: [(&str, i32); 15] = [
-    ("femto", -15),
-    ("pico", -12),
-    ("nano", -9),
-    ("micro", -6),
-    ("milli", -3),
-    ("centi", -2),
-    ("deci", -1),
-    ("deca", 1),
-    ("deka", 1),
-    ("hecto", 2),
-    ("kilo", 3),
-    ("mega", 6),
-    ("giga", 9),
-    ("tera", 12),
-    ("peta", 15),
+/// Prefixes with their letters, where these are read, and powers of ten.
+const PREFIXES: [(&str, &str, i32); 15] = [
+    ("femto", "f", -15),
+    ("pico", "p", -12),
+    ("nano", "n", -9),
+    ("micro", "u", -6),
+    ("milli", "m", -3),
+    ("centi", "c", -2),
+    ("deci", "d", -1),
+    ("deca", "", 1),
+    ("deka", "", 1),
+    ("hecto", "h", 2),
+    ("kilo", "k", 3),
+    ("mega", "M", 6),
+    ("giga", "G", 9),
+    ("tera", "T", 12),
+    ("peta", "", 15),
 ];
 
 /// The name of a unit, a whole factor, a power of ten, and powers of base units.
 type Unit = (&'static str, i32, i32, &'static [(&'static str, i32)]);
 
 /// The units that are known. Degrees Celsius are none: their zero is another.
-const UNITS: [Unit; 33] = [
+const UNITS: [Unit; 32] = [
     ("meter", 1, 0, &[("meter", 1)]),
     ("metre", 1, 0, &[("meter", 1)]),
     ("gram", 1, 0, &[("gram", 1)]),
-    ("kg", 1, 3, &[("gram", 1)]),
     ("tonne", 1, 6, &[("gram", 1)]),
     ("second", 1, 0, &[("second", 1)]),
     ("minute", 60, 0, &[("second", 1)]),
@@ -122,49 +121,31 @@ const SYMBOLS: [(&str, &str); 27] = [
     ("eV", "electronvolt"),
 ];
 
-/// The letters of prefixes.
-const LETTERS: [(&str, &str); 12] = [
-    ("f", "femto"),
-    ("p", "pico"),
-    ("n", "nano"),
-    ("u", "micro"),
-    ("m", "milli"),
-    ("c", "centi"),
-    ("d", "deci"),
-    ("h", "hecto"),
-    ("k", "kilo"),
-    ("M", "mega"),
-    ("G", "giga"),
-    ("T", "tera"),
-];
-
 /// The largest power of a unit.
 const LARGEST: i32 = 20;
 
-/// A unit with what is said of it: `\per\milli\meter\squared`.
-#[derive(Clone, Copy)]
-struct Factor {
-    unit: Option<&'static Unit>,
+/// What is said of a unit, `\per\milli` and `\squared`: the power of ten of its prefix, and its own.
+#[derive(Clone, Copy, PartialEq)]
+struct Said {
     prefix: i32,
     power: i32,
     is_below: bool,
 }
 
-const PLAIN: Factor = Factor {
-    unit: None,
+const NOTHING: Said = Said {
     prefix: 0,
     power: 1,
     is_below: false,
 };
 
-/// Returns a unit as a product in TeX, `10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{-3}`; nothing where it is not known.
+/// Returns a unit as a product in TeX, `10^{3} \cdot \upsilon_{\mathrm{gram}} \cdot \upsilon_{\mathrm{meter}}^{-3}`; nothing
+/// where it is not known.
 pub fn unit(text: &str) -> Option<String> {
     let (mut ten, mut powers) = (0, BTreeMap::<&str, i32>::new());
     let mut parts = Vec::new();
-    for factor in factors(text)? {
-        let (_, whole, own, bases) = factor.unit?;
-        let power = if factor.is_below { -factor.power } else { factor.power };
-        ten += (own + factor.prefix) * power;
+    for ((_, whole, own, bases), said) in factors(text)? {
+        let power = if said.is_below { -said.power } else { said.power };
+        ten += (own + said.prefix) * power;
         if *whole != 1 {
             parts.push(format!("{whole}^{{{power}}}"));
         }
@@ -193,28 +174,21 @@ fn named(name: &str) -> Option<(i32, &'static Unit)> {
             .find(|(known, _)| *known == symbol)
             .and_then(|(_, name)| known(name))
     };
-    let power = |prefix: &str| {
-        PREFIXES
-            .iter()
-            .find(|(known, _)| *known == prefix)
-            .map(|(_, power)| *power)
-    };
-    let plain = known(name).or_else(|| symbol(name)).map(|unit| (0, unit));
+    let plain = || Some((0, known(name).or_else(|| symbol(name))?));
     let whole = || {
-        PREFIXES
-            .iter()
-            .find_map(|(prefix, power)| Some((*power, known(name.strip_prefix(prefix)?)?)))
+        let of_prefix = |(prefix, _, power): &(&str, &str, i32)| Some((*power, known(name.strip_prefix(prefix)?)?));
+        PREFIXES.iter().find_map(of_prefix)
     };
     let short = || {
-        let of_letter = |(letter, prefix): &(&str, &str)| Some((power(prefix)?, symbol(name.strip_prefix(letter)?)?));
-        LETTERS.iter().find_map(of_letter)
+        let mut lettered = PREFIXES.iter().filter(|(_, letter, _)| !letter.is_empty());
+        lettered.find_map(|(_, letter, power)| Some((*power, symbol(name.strip_prefix(letter)?)?)))
     };
-    plain.or_else(whole).or_else(short)
+    plain().or_else(whole).or_else(short)
 }
 
-/// Returns the factors that a unit is written as.
-fn factors(text: &str) -> Option<Vec<Factor>> {
-    let (mut found, mut next, mut rest) = (Vec::<Factor>::new(), PLAIN, text.trim());
+/// Returns the units that a unit is the product of, each with what is said of it.
+fn factors(text: &str) -> Option<Vec<(&'static Unit, Said)>> {
+    let (mut found, mut next, mut rest) = (Vec::<(&Unit, Said)>::new(), NOTHING, text.trim());
     while !rest.is_empty() {
         let (is_command, behind) = match rest.strip_prefix('\\') {
             Some(behind) => (true, behind),
@@ -227,34 +201,32 @@ fn factors(text: &str) -> Option<Vec<Factor>> {
             (true, "per") => next.is_below = true,
             (true, "square") => next.power = 2,
             (true, "cubic") => next.power = 3,
-            (true, "squared") => found.last_mut()?.power = 2,
-            (true, "cubed") => found.last_mut()?.power = 3,
+            (true, "squared") => found.last_mut()?.1.power = 2,
+            (true, "cubed") => found.last_mut()?.1.power = 3,
             (true, "cdot") => {}
-            (true, "tothe") => found.last_mut()?.power = exponent(&mut rest)?,
+            (true, "tothe") => found.last_mut()?.1.power = exponent(&mut rest)?,
             (false, "") => {
                 let sign = rest.chars().next()?;
                 rest = rest.get(sign.len_utf8()..)?;
                 match sign {
                     '/' if !found.is_empty() => next.is_below = true,
-                    '^' => found.last_mut()?.power = exponent(&mut rest)?,
+                    '^' => found.last_mut()?.1.power = exponent(&mut rest)?,
                     _ => return None,
                 }
                 rest = rest.trim_start_matches(|c: char| c.is_whitespace() || "~.".contains(c));
             }
-            (_, name) => match PREFIXES.iter().find(|(known, _)| is_command && *known == name) {
-                Some((_, power)) => next.prefix = *power,
+            (_, name) => match PREFIXES.iter().find(|(known, ..)| is_command && *known == name) {
+                Some((.., power)) => next.prefix = *power,
                 None => {
                     let (power, unit) = named(name)?;
-                    next.unit = Some(unit);
                     next.prefix += power;
-                    found.push(next);
-                    next = PLAIN;
+                    found.push((unit, next));
+                    next = NOTHING;
                 }
             },
         }
     }
-    let is_whole = next.prefix == 0 && next.power == 1 && !next.is_below;
-    is_whole.then_some(found).filter(|found| !found.is_empty())
+    (next == NOTHING && !found.is_empty()).then_some(found)
 }
 
 /// Takes an exponent from the front of a text, in braces or a digit.

@@ -95,17 +95,11 @@ impl Cited {
         let has_alternatives = has_any(last, &OF_ALTERNATIVES);
         let sentence = last.rsplit(". ").next().unwrap_or_default();
         let is_condition = has_any(sentence, &OF_CONDITIONS);
-        if has_any(last, &AGAINST) {
-            return Self {
-                has_alternatives,
-                is_condition,
-                ..Self::default()
-            };
-        }
+        let is_against = has_any(last, &AGAINST);
         let begins_small = behind_environment(&between).starts_with(|c: char| c.is_lowercase());
         Self {
-            names: references(last),
-            goes_on: from == before && begins_small && !between.contains(". "),
+            names: if is_against { Vec::new() } else { references(last) },
+            goes_on: !is_against && from == before && begins_small && !between.contains(". "),
             has_alternatives,
             is_condition,
         }

@@ -39,7 +39,7 @@ struct Factors {
     /// Factors of divisors and of what roots, logarithms, sines and cosines are taken of.
     numbers: BTreeSet<Name>,
     /// True if the text calls letters matrices, so that any two capital letters may be some: `G M` of a text about masses are none.
-    are_called: bool,
+    are_named: bool,
 }
 
 impl Factors {
@@ -56,7 +56,7 @@ impl Factors {
                     factor => letter_of_power(factor).is_some_and(|name| {
                         is_typographic(name)
                             || matrices.contains(&name.base)
-                            || (self.are_called && is_capital(name) && name.subscript.is_empty())
+                            || (self.are_named && is_capital(name) && name.subscript.is_empty())
                     }),
                 };
                 for (first, last) in factors.iter().zip(factors.iter().skip(1)) {
@@ -123,8 +123,8 @@ fn head(base: &str) -> &str {
     }
 }
 
-/// Returns true for a mean, `\mathbb{E}[X]`, a probability or a product in angles: numbers, where what is in them is one.
-fn is_mean(base: &str) -> bool {
+/// Returns true for a term that is a number where what is in it is one: a mean, `\mathbb{E}[X]`, a probability, a product in angles.
+fn is_scalar(base: &str) -> bool {
     let is_product = base.starts_with(r"\langle") && base.ends_with(r"\rangle");
     is_product || MEANS.iter().any(|mean| base.starts_with(mean))
 }
@@ -132,7 +132,7 @@ fn is_mean(base: &str) -> bool {
 /// Returns true for a letter in bold or script, and for a term that an operator begins.
 fn is_set_apart(name: &Name) -> bool {
     let mut commands = OF_OPERATORS.iter().chain(&BOLD);
-    let is_of_operators = !is_mean(&name.base) && commands.any(|command| name.base.starts_with(command));
+    let is_of_operators = !is_scalar(&name.base) && commands.any(|command| name.base.starts_with(command));
     let holds_vectors = || BOLD.iter().chain(&ARROWS).any(|sign| name.base.contains(sign));
     let is_integral = [r"\int", r"\oint", r"\iint", r"\iiint", r"\sum"]
         .iter()
@@ -335,7 +335,7 @@ impl Marks {
         let has_matrices = has_matrices || !turned.is_empty();
         letters_of_matrices.extend(turned);
         let mut factors = Factors {
-            are_called: !members.matrices.is_empty(),
+            are_named: !members.matrices.is_empty(),
             ..Factors::default()
         };
         let mut multiplied = BTreeSet::new();

@@ -576,7 +576,7 @@ fn entries(
             guessed: guessed.guessed,
             standing,
             said: whole.members.said_of(&tex),
-            has_more_said: whole.members.says_more || in_front.is_some_and(|cited| cited.is_condition),
+            need_not_hold: whole.members.says_more || in_front.is_some_and(|cited| cited.is_condition),
             unread,
             ..RawEntry::new(
                 here(label.clone()),
