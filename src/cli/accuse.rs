@@ -12,13 +12,16 @@ const MOST_SLIPS: usize = 2;
 /// The most repairs of a formula that are looked at.
 const MOST_REPAIRS: usize = 6;
 
-/// Returns true if a formula may be misprinted: a link of a chain, or an equation with the same letters on both sides, that fails
-/// where nothing else may be meant.
+/// The fewest letters that are printed in an equation with a number on one side which claims something outside a chain.
+const FEWEST_LETTERS: usize = 8;
+
+/// Returns true if a formula may be misprinted: a link of a chain, an equation with the same letters on both sides, or a long one
+/// with a number on one side, that fails where nothing else may be meant.
 pub fn may_be_misprinted(entry: &Entry, decision: &Decision) -> bool {
     let is_claimed = match decision.standing {
         Standing::Said => false,
         Standing::Link => true,
-        _ => have_one_set_of_letters(&entry.equations),
+        _ => have_one_set_of_letters(&entry.equations) || entry.equations.iter().all(is_long_and_a_number),
     };
     decision.fails && is_claimed && !entry.equations.is_empty() && !is_loose(entry)
 }
@@ -39,7 +42,7 @@ pub fn misprints(sheet: &Sheet, position: usize, repairs: Repairs, options: &pro
     if shown.is_empty() || holds_by_more() {
         return None;
     }
-    shown.sort_by_cached_key(|repair| std::cmp::Reverse(links_beside(sheet, position, entry, repair, options)));
+    shown.sort_by_cached_key(|repair| std::cmp::Reverse(links_beside(sheet, position, entry, repair, options).len()));
     Some(Repairs {
         found: [shown, rest, others].concat(),
         ..repairs
@@ -56,7 +59,10 @@ fn is_misprint(sheet: &Sheet, position: usize, entry: &Entry, repair: &Repair, o
         true => MOST_SLIPS,
         false => 1,
     };
-    let are_slips = slips(printed, mended).is_some_and(|slips| slips <= most);
+    // a small term may be left out for good, but not between two sides that have it
+    let lacks_a_term = slips(printed, mended, false).is_none();
+    let are_slips = slips(printed, mended, true).is_some_and(|slips| slips <= most)
+        && (!lacks_a_term || links_beside(sheet, position, entry, repair, options).contains(&true));
     let is_link_of_its_letters = || entry.standing == Standing::Link && have_one_set_of_letters([mended]);
     are_slips && (is_link_of_its_letters() || is_identity(sheet, position, mended, options))
 }
@@ -72,10 +78,11 @@ fn is_identity(sheet: &Sheet, position: usize, equation: &Equation, options: &pr
     })
 }
 
-/// Counts the links before and behind one of a chain that hold once it is repaired.
-fn links_beside(sheet: &Sheet, position: usize, entry: &Entry, repair: &Repair, options: &prove::Options) -> usize {
+/// Returns the links before and behind one of a chain that hold once it is repaired, each by whether the side that it shares is
+/// one that the repair changes.
+fn links_beside(sheet: &Sheet, position: usize, entry: &Entry, repair: &Repair, options: &prove::Options) -> Vec<bool> {
     let ([printed], [(_, mended)]) = (entry.equations.as_slice(), repair.mended.as_slice()) else {
-        return 0;
+        return Vec::new();
     };
     let link = |at: usize| match sheet.entries.get(at)?.equations.as_slice() {
         [link] => Some((at, link)),
@@ -85,18 +92,36 @@ fn links_beside(sheet: &Sheet, position: usize, entry: &Entry, repair: &Repair, 
         .checked_sub(1)
         .and_then(link)
         .filter(|(_, link)| link.right == printed.left)
-        .map(|(at, link)| (at, format!("{} = {}", link.left, mended.left)));
+        .map(|(at, link)| {
+            let is_changed = printed.left != mended.left;
+            (at, format!("{} = {}", link.left, mended.left), is_changed)
+        });
     let behind = link(position + 1)
         .filter(|(_, link)| link.left == printed.right)
-        .map(|(at, link)| (at, format!("{} = {}", mended.right, link.right)));
-    let links = before.iter().chain(&behind);
-    links.filter(|(at, tex)| holds_as(sheet, *at, tex, options)).count()
+        .map(|(at, link)| {
+            let is_changed = printed.right != mended.right;
+            (at, format!("{} = {}", mended.right, link.right), is_changed)
+        });
+    let links = before.into_iter().chain(behind);
+    let links = links.filter(|(at, tex, _)| holds_as(sheet, *at, tex, options));
+    links.map(|(.., is_changed)| is_changed).collect()
 }
 
 /// Returns true if the claim at a position is proved with other TeX in its place.
 pub fn holds_as(sheet: &Sheet, position: usize, tex: &str, options: &prove::Options) -> bool {
     let again = sheet.reprinted(position, tex, &[]);
     again.is_some_and(|again| prove::decide(&again, position, options).verdict == Verdict::Proved)
+}
+
+/// Returns true if one side is a number, and the other so long that one slip makes an identity of few of its like.
+fn is_long_and_a_number(equation: &Equation) -> bool {
+    let is_number = |side: &Tree| matches!(side, Tree::Number(_));
+    let mut printed = 0;
+    any_side(equation, &mut |node| {
+        printed += usize::from(matches!(node, Tree::Symbol(..)));
+        false
+    });
+    printed >= FEWEST_LETTERS && (is_number(&equation.left) || is_number(&equation.right))
 }
 
 /// Returns the letters of a side.

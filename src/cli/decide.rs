@@ -4,12 +4,13 @@ use super::accuse::{holds_as, may_be_misprinted, misprints};
 use super::progress::Progress;
 use super::verdicts::{Row, table};
 use super::{Failure, note};
-use crate::claim::{self, Fault, Sheet, Verdict};
+use crate::claim::{self, Fault, Rule, Sheet, Verdict};
 use crate::evidence::witness_near;
 use crate::prove::{self, mention_refuted, settle_second_values};
 use crate::repair::repairs;
 use crate::report::{Format, Table};
 use crate::stop::Token;
+use crate::tex::{Equation, Tree, any_side, is_opaque};
 use rayon::prelude::*;
 
 /// Formulas that cannot be read of which a message tells.
@@ -110,11 +111,27 @@ fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<V
     rows.par_iter().map(decide).collect()
 }
 
+/// Returns true if a term that is not understood stands in an equation as a symbol.
+fn has_opaque_symbols(equation: &Equation) -> bool {
+    any_side(
+        equation,
+        &mut |node| matches!(node, Tree::Symbol(name, _) if is_opaque(name)),
+    )
+}
+
 /// Decides the claim at a position of a sheet.
 pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool) -> Result<Row, Fault> {
     let mut decision = prove::decide(sheet, position, options);
     let is_judged = !matches!(decision.verdict, Verdict::Unread | Verdict::Given);
-    let read = is_judged && sheet.unread_below(position).is_empty();
+    // sums and means that are symbols have any value at a point
+    let is_linear = decision.verdict == Verdict::Proved && decision.rules.contains(&Rule::Words);
+    let has_terms = || {
+        sheet
+            .entries
+            .get(position)
+            .is_some_and(|entry| entry.equations.iter().any(has_opaque_symbols))
+    };
+    let read = is_judged && sheet.unread_below(position).is_empty() && !(is_linear && has_terms());
     let evidence = read
         .then(|| {
             let counterexample = decision.counterexample.as_ref().map(|own| &own.point);
@@ -131,7 +148,10 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
     let repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
         _ if entry.is_some_and(|entry| may_be_misprinted(entry, &decision)) => {
-            let found = misprints(sheet, position, repairs(sheet, position, options), options);
+            // the premises are a guess: with none of them another repair may be proved
+            let by_itself = sheet.resting_on_nothing(position);
+            let mut sheets = std::iter::once(sheet).chain(&by_itself);
+            let found = sheets.find_map(|sheet| misprints(sheet, position, repairs(sheet, position, options), options));
             if found.is_some() {
                 decision.suspect();
             }

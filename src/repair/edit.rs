@@ -642,6 +642,12 @@ fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
     }
     beside(edits.node, above, edits);
     for (n, factor) in factors.iter().enumerate() {
+        for (other, with) in factors.iter().enumerate().skip(n + 1) {
+            if let Some((one, two)) = swapped_letters(factor, with) {
+                let words = format!("the letters of `{factor}` and `{with}` are swapped");
+                edits.add(product(put(&put(factors, n, one), other, two)), PLAIN + 2, words);
+            }
+        }
         let cost = RARE - 1 + OF_NODE * size(factor).min(10);
         let words = format!("the factor `{factor}` is too much");
         edits.add(product(without(factors, n)), cost, words);
@@ -656,6 +662,17 @@ fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
         };
         edits.add(lowered, RARE, words);
     }
+}
+
+/// Returns two factors with the letter of each in the place of that of the other, where this makes other powers of them.
+fn swapped_letters(one: &Tree, other: &Tree) -> Option<(Tree, Tree)> {
+    let split = |tree: &Tree| match tree {
+        Tree::Symbol(..) => Some((tree.clone(), 1)),
+        Tree::Power(base, exponent, _) if matches!(**base, Tree::Symbol(..)) => Some(((**base).clone(), *exponent)),
+        _ => None,
+    };
+    let ((letter, exponent), (with, its_own)) = (split(one)?, split(other)?);
+    (exponent != its_own).then(|| (power(&with, exponent), power(&letter, its_own)))
 }
 
 fn of_quotient(above: &Tree, below: &Tree, parent: Option<&Tree>, edits: &mut Edits) {

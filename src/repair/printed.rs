@@ -192,7 +192,11 @@ fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_
         true => is_balanced(new, old),
         false => new.left == new.right,
     };
-    let is_gone = |old: &Tree, new: &Tree| speaks(old) && !is_number(old) && (is_number(new) || !speaks(new));
+    // what is to be a number may be one whose symbols cancel
+    let may_be_number = |other: &Tree, new: &Tree| matches!(other, Tree::Number(_)) && !may_balance && speaks(new);
+    let is_gone = |old: &Tree, new: &Tree, other: &Tree| {
+        speaks(old) && !is_number(old) && !may_be_number(other, new) && (is_number(new) || !speaks(new))
+    };
     let drops_a_name = || may_balance && !names_in(old).is_subset(&names_in(new));
     let is_assumed = after.assume.iter().any(|(condition, _)| match condition {
         Condition::Relation(assumed) => {
@@ -221,8 +225,8 @@ fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_
         && !is_assumed
         && !is_other_spelling
         && !is_empty
-        && !is_gone(&old.left, &new.left)
-        && !is_gone(&old.right, &new.right)
+        && !is_gone(&old.left, &new.left, &old.right)
+        && !is_gone(&old.right, &new.right, &old.left)
         && !drops_a_name()
 }
 

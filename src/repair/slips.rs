@@ -2,53 +2,87 @@
 
 use super::path::parts;
 use crate::number::{Field, Rational};
-use crate::tex::{Equation, Name, Tree};
+use crate::tex::{Equation, Name, Tree, any, any_side};
 
-/// Returns how many signs, names, digits, exponents, functions and whole factors two equations differ in; nothing where they
-/// differ in more: in a term, a bracket, a bar, or a number of which more than one digit is another.
-pub fn slips(one: &Equation, other: &Equation) -> Option<usize> {
-    (one.relation == other.relation).then_some(())?;
-    Some(between(&one.left, &other.left)? + between(&one.right, &other.right)?)
+/// Returns how many signs, names, digits, exponents, functions and whole factors a printed equation and a mended one differ in, and
+/// terms where the printed one may lack them; nothing where they differ in more: in a bracket, a bar, or a number of which more than
+/// one digit is another.
+pub fn slips(printed: &Equation, mended: &Equation, may_lack_terms: bool) -> Option<usize> {
+    (printed.relation == mended.relation).then_some(())?;
+    let count = Count {
+        printed: may_lack_terms.then_some(printed),
+    };
+    Some(count.between(&printed.left, &mended.left)? + count.between(&printed.right, &mended.right)?)
 }
 
-fn between(one: &Tree, other: &Tree) -> Option<usize> {
-    if one == other {
-        return Some(0);
-    }
-    let plus_one = |one: &Tree, other: &Tree| between(one, other).map(|slips| slips + 1);
-    match (one, other) {
-        (Tree::Number(one), Tree::Number(other)) => {
-            is_slip_of_digits(&one.0.to_string(), &other.0.to_string()).then_some(1)
+/// How slips are counted.
+struct Count<'e> {
+    /// The printed equation, where a term may be missing in it.
+    printed: Option<&'e Equation>,
+}
+
+impl Count<'_> {
+    fn between(&self, one: &Tree, other: &Tree) -> Option<usize> {
+        if one == other {
+            return Some(0);
         }
-        (Tree::Symbol(..), Tree::Number(number)) | (Tree::Number(number), Tree::Symbol(..)) => {
-            (!number.0.is_zero()).then_some(1)
-        }
-        (Tree::Symbol(..), Tree::Symbol(..)) => Some(1),
-        (Tree::Power(one, own, _), Tree::Power(other, exponent, _)) if own != exponent => plus_one(one, other),
-        // a bracket loses its power more seldom than a condition takes it
-        (Tree::Power(of, ..), bare) | (bare, Tree::Power(of, ..)) if **of == *bare => {
-            (!matches!(bare, Tree::Sum(_))).then_some(1)
-        }
-        (Tree::Call(one, of, _), Tree::Call(other, argument, _)) if one != other && of == argument => {
-            (![one, other].into_iter().any(is_modulus)).then_some(1)
-        }
-        _ => match (shape(one) == shape(other)).then(|| (parts(one), parts(other))) {
-            Some((one, other)) if !one.is_empty() => {
-                one.iter().zip(&other).map(|(one, other)| between(one, other)).sum()
+        let plus_one = |one: &Tree, other: &Tree| self.between(one, other).map(|slips| slips + 1);
+        match (one, other) {
+            (Tree::Number(one), Tree::Number(other)) => {
+                is_slip_of_digits(&one.0.to_string(), &other.0.to_string()).then_some(1)
             }
-            _ => by_sign_or_factor(one, other),
-        },
+            (Tree::Symbol(..), Tree::Number(number)) | (Tree::Number(number), Tree::Symbol(..)) => {
+                (!number.0.is_zero()).then_some(1)
+            }
+            (Tree::Symbol(..), Tree::Symbol(..)) => Some(1),
+            (Tree::Power(one, own, _), Tree::Power(other, exponent, _)) if own != exponent => plus_one(one, other),
+            // a bracket loses its power more seldom than a condition takes it
+            (Tree::Power(of, ..), bare) | (bare, Tree::Power(of, ..)) if **of == *bare => {
+                (!matches!(bare, Tree::Sum(_))).then_some(1)
+            }
+            (Tree::Call(one, of, _), Tree::Call(other, argument, _)) if one != other && of == argument => {
+                (![one, other].into_iter().any(is_modulus)).then_some(1)
+            }
+            _ => match (shape(one) == shape(other)).then(|| (parts(one), parts(other))) {
+                Some((one, other)) if !one.is_empty() => one
+                    .iter()
+                    .zip(&other)
+                    .map(|(one, other)| self.between(one, other))
+                    .sum(),
+                _ if self.lacks_a_term(one, other) => Some(1),
+                _ => self.by_sign_or_factor(one, other),
+            },
+        }
     }
-}
 
-/// Counts the slips of formulas of which one alone has a minus, a whole factor or a whole divisor.
-fn by_sign_or_factor(one: &Tree, other: &Tree) -> Option<usize> {
-    let ways = [(one, other), (other, one)];
-    ways.into_iter().find_map(|(whole, rest)| {
-        bare(whole)
-            .into_iter()
-            .find_map(|bare| between(&bare, rest).map(|slips| slips + 1))
-    })
+    /// Counts the slips of formulas of which one alone has a minus, a whole factor or a whole divisor.
+    fn by_sign_or_factor(&self, one: &Tree, other: &Tree) -> Option<usize> {
+        let ways = [(one, other), (other, one)];
+        ways.into_iter().find_map(|(whole, rest)| {
+            bare(whole)
+                .into_iter()
+                .find_map(|bare| self.between(&bare, rest).map(|slips| slips + 1))
+        })
+    }
+
+    /// Returns true if the terms of a mended formula are those of the printed one and one more, whose brackets are printed elsewhere:
+    /// else any sides are balanced.
+    fn lacks_a_term(&self, printed: &Tree, mended: &Tree) -> bool {
+        let Some(equation) = self.printed else { return false };
+        let terms = |tree: &Tree| match tree {
+            Tree::Sum(terms) => terms.clone(),
+            term => vec![term.clone()],
+        };
+        let (less, more) = (terms(printed), terms(mended));
+        let kept = more.iter().zip(&less).take_while(|(more, less)| more == less).count();
+        let is_invented =
+            |node: &Tree| matches!(node, Tree::Sum(_)) && !any_side(equation, &mut |printed| printed == node);
+        more.len() == less.len() + 1
+            && more.get(kept + 1..) == less.get(kept..)
+            && more
+                .get(kept)
+                .is_some_and(|term| !any(term, &mut |node| is_invented(node)))
+    }
 }
 
 /// Returns a formula without its minus, and without each of its factors and divisors that is a number.
@@ -112,7 +146,26 @@ mod tests {
 
     fn count(one: &str, other: &str) -> Option<usize> {
         let read = |tex: &str| read(tex, &Names::default()).expect("an equation").remove(0);
-        slips(&read(one), &read(other))
+        slips(&read(one), &read(other), false)
+    }
+
+    #[test]
+    fn a_term_is_missing_whose_brackets_are_printed() {
+        let read = |tex: &str| read(tex, &Names::default()).expect("an equation").remove(0);
+        for (printed, mended, wanted) in [
+            ("x^2 - y^2 = (x - y) x", "x^2 - y^2 = (x - y) x + (x - y) y", Some(1)),
+            ("x = a + c", "x = a + b + c", Some(1)),
+            ("x = a + b", "x = a + b - a b", Some(1)),
+            ("x = a + b", "x = a + b + (a - b) b", None),
+            ("x = a + b + c", "x = a + c", None),
+        ] {
+            assert_eq!(
+                slips(&read(printed), &read(mended), true),
+                wanted,
+                "{printed}: {mended}"
+            );
+            assert_eq!(slips(&read(printed), &read(mended), false), None, "{printed}: {mended}");
+        }
     }
 
     #[test]

@@ -1326,7 +1326,21 @@ fn what_does_not_print_is_not_judged_and_takes_no_number() {
         ),
         (
             format!(
-                "\\begin{{empheq}}{{align}} a = 1 \\end{{empheq}} % audit: premise\n{two}{}",
+                "\\begin{{empheq}}[left=\\empheqlbrace]{{align}} a = 1 \\end{{empheq}} % audit: premise\n{two}{}",
+                claim(2)
+            ),
+            "3 proved",
+        ),
+        (
+            format!(
+                "\\begin{{subnumcases}}{{\\label{{all}}}} a = 1 \\end{{subnumcases}} % audit: premise\n{two}{}",
+                claim(2)
+            ),
+            "3 proved",
+        ),
+        (
+            format!(
+                "\\begin{{dgroup}} a = 1 \\end{{dgroup}} % audit: premise\n{two}{}",
                 claim(2)
             ),
             "line 4 unread",
@@ -2186,6 +2200,14 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
         r"Let $A$ and $B$ be matrices and \[ C = A + B. \] Then \begin{align*} V &= A (A + B) - B A \\ &= A A + A B + B A. \end{align*}",
         // beside a law about the same letters
         r"\[ q + r = 1 \] \begin{align*} V &= q^2 (q + r) \\ &= q^3 + q^3 r \end{align*}",
+        // a term is missing that the sides beside have
+        r"\begin{align*} V &= (a + b)^2 - a b \\ &= a^2 + a b \\ &= a (a + b) + b^2 \end{align*}",
+        // letters are swapped
+        r"\begin{align*} V &= m l^2 (1 + \dot{x}) + m l^2 \dot{x} \\ &= l m^2 (1 + 2 \dot{x}) \end{align*}",
+        // a letter too often, where all should cancel
+        r"\begin{align*} V &= (a + b) c - c (b + a) \\ &= a c + b c - c b - c c \\ &= 0 \end{align*}",
+        // a long sum that should be a number
+        r"\[ (1-q)(1-r) + (1-q) r + q (1-q) + q r = 1 \]",
     ] {
         let ran = audited(&format!("% a note\n{text}\n"));
         assert_eq!(ran.status, Some(1), "{text}: {}", ran.stdout);
@@ -2201,12 +2223,110 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
         r"If \[ a = q (1 - r) - q r = q \]",
         // a product of vectors is none of numbers
         r"\begin{align*} V &= \vec{a} \times \vec{b} + \vec{b} \times \vec{a} \\ &= 0 \end{align*}",
+        // a short one may be a condition
+        r"\[ \frac{a b}{a c} = 1 \]",
         // where a premise may be missing
         r"Here $\rho$ is constant. \[ m = \rho_1 v_1 A_1 \] \[ Q = m/\rho = v_1 A_1 \]",
     ] {
         let ran = audited(&format!("% a note\n{text}\n"));
         assert_eq!(ran.status, Some(0), "{text}: {}", ran.stdout);
     }
+}
+
+#[test]
+fn what_holds_by_itself_is_proved_whatever_stands_before_it() {
+    for (text, wanted) in [
+        // a second value of a letter
+        (r"\[ r = 2 s \] \[ r = 3 t + s \] \[ 1 - r + r - q + q = 1 \]", "proved"),
+        // a letter that stands on one side alone, and is no new one
+        (
+            r"\[ E = m v^2 \] \begin{align*} V &= 2 x (m v^2 + 1) - 2 x \\ &= 2 x m v^2 + m - m \end{align*}",
+            "proved",
+        ),
+        // `mr` is a product, whatever stands in a term that is not read
+        (
+            r"\[ \unread{L} = mr^2 \unread{z} \] \begin{align*} V &= \frac{2 a}{mr} \\ &= \frac{2}{m} \frac{a}{r} \end{align*}",
+            "proved",
+        ),
+        // an estimate that is divided by, and a power with a Greek exponent
+        (
+            r"\[ x = \frac{y}{\hat{a}} + \hat{b} \] \begin{align*} V &= \hat{a} c \hat{a} \\ &= c \hat{a}^2 \end{align*}",
+            "proved",
+        ),
+        (
+            r"Let $\mathbf{M} = \mathbf{K}_t$. \begin{align*} V &= K_t^\alpha N_t^{1 - \alpha} \\ &= N_t \left(\frac{K_t}{N_t}\right)^\alpha \end{align*}",
+            "proved",
+        ),
+        // a power of a letter that elsewhere makes variations
+        (
+            r"\begin{align*} V &= \delta^t p (1 + q) \\ &= \delta^t p + \delta^t p q \end{align*}",
+            "proved",
+        ),
+        (
+            r"\begin{align*} V &= 2 \cos\phi \sqrt{x} \\ &= \sqrt{x} \cos\phi + \cos\phi \sqrt{x} \end{align*}",
+            "proved",
+        ),
+    ] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        let last = ran.stdout.lines().last().unwrap_or_default();
+        assert!(last.contains(&format!(",{wanted},")), "{text}: {}", ran.stdout);
+    }
+}
+
+#[test]
+fn sums_and_means_are_linear() {
+    for (text, is_proved) in [
+        (r"\sum_i (a_i + c b_i) = \sum_i a_i + c \sum_i b_i", true),
+        (r"\sum_{k \in K} c a_k = c \sum_{k \in K} a_k", true),
+        (
+            r"\sum_{j=1}^n \sum_{i=1}^m x_{ij} = \sum_{i=1}^m \sum_{j=1}^n x_{ij}",
+            true,
+        ),
+        (
+            r"\sum_{i=1}^n q_i \sum_{j=1}^m d_{ij} p_j = \sum_{j=1}^m \left(\sum_{i=1}^n d_{ij} q_i\right) p_j",
+            true,
+        ),
+        (r"\mathbb{E}[Y + \sigma Z] = \mathbb{E}[Y] + \sigma \mathbb{E}[Z]", true),
+        (
+            r"\mathbb{E}(X^2) - 2 \mathbb{E}(X \mathbb{E}X) + (\mathbb{E}X)^2 = \mathbb{E}X^2 - (\mathbb{E}X)^2",
+            true,
+        ),
+        (r"\mathbb{E}[X + Z | Y] = \mathbb{E}[X | Y] + \mathbb{E}[Z | Y]", true),
+        (r"\sum_i a_i b_i = b_i \sum_i a_i", false),
+        (
+            r"\sum_i a_i b_i = \left(\sum_i a_i\right) \left(\sum_i b_i\right)",
+            false,
+        ),
+        (r"\sum_i (a_i + c) = \sum_i a_i + c", false),
+        (r"\sum_i a_i = \sum_j a_j", false),
+        (
+            r"\sum_{i=1}^n \sum_{j=1}^i x_{ij} = \sum_{j=1}^i \sum_{i=1}^n x_{ij}",
+            false,
+        ),
+        (
+            r"\sum_{i=1}^\infty \sum_{j=1}^\infty x_{ij} = \sum_{j=1}^\infty \sum_{i=1}^\infty x_{ij}",
+            false,
+        ),
+        (r"\mathbb{E}[X Y] = \mathbb{E}[X] \mathbb{E}[Y]", false),
+        (r"\mathbb{E}[X Y] = X \mathbb{E}[Y]", false),
+        (r"\mathbb{E}[x Y | z] = x \mathbb{E}[Y | z]", false),
+        (r"\mathbb{E}[X^2] = \mathbb{E}[X]^2", false),
+        (
+            r"\sum_i \mathbf{x}_i \mathbf{y}_i = \sum_i \mathbf{y}_i \mathbf{x}_i",
+            false,
+        ),
+    ] {
+        let ran = audited(&format!(
+            "% a note\n\\begin{{align*}} V &= {} \\end{{align*}}\n",
+            text.replacen(" = ", r" \\ &= ", 1)
+        ));
+        let last = ran.stdout.lines().last().unwrap_or_default();
+        assert_eq!(last.contains(",proved,"), is_proved, "{text}: {}", ran.stdout);
+    }
+    // letters of matrices do not change places within a sum
+    let text = r"Let $A$ and $B$ be matrices. \begin{align*} V &= \sum_i a_i A B \\ &= \sum_i a_i B A \end{align*}";
+    let ran = audited(&format!("% a note\n{text}\n"));
+    assert!(!ran.stdout.contains(",proved,"), "{}", ran.stdout);
 }
 
 #[test]

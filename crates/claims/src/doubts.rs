@@ -1,7 +1,7 @@
 //! The other meanings that a claim may have: what its verdict may not rest on.
 
 use super::definition::letters_of;
-use super::entry::{Entry, Role, approached};
+use super::entry::{Entry, Role, Standing, approached};
 use super::exponents::{is_at_times_whole, is_plainly_not_negative};
 use super::sheet::Sheet;
 use numbers::{Field, Rational};
@@ -525,6 +525,7 @@ impl Sheet {
             };
             let is_assumed = assumed.iter().any(|side| speaks_of(side, name));
             let is_new = !is_assumed && (claim.is_implication || self.is_unknown(name, claim, is_restricted));
+            let is_new = is_new && !self.links_again(name, claim);
             if (is_new || (is_assumed && self.is_between(name, claim))) && stands() {
                 found.push(name.clone());
             }
@@ -532,6 +533,13 @@ impl Sheet {
         found.retain(|name| !is_known(name));
         found.dedup();
         found
+    }
+
+    /// Returns true if a claim is a link of a chain, and something before it in the document speaks of a letter.
+    fn links_again(&self, name: &Name, claim: &Entry) -> bool {
+        let mut before = self.entries.iter().take_while(|entry| entry.label != claim.label);
+        let speaks = |equation: &Equation| any_side(equation, &mut |node| is_symbol(node, name));
+        claim.standing == Standing::Link && before.any(|entry| entry.equations.iter().any(speaks))
     }
 
     /// Returns true for a constant that a claim seems to introduce: it stands on one side alone, in each of several equations or,

@@ -21,6 +21,7 @@ mod entry;
 mod exponents;
 mod fault;
 mod function;
+mod functional;
 mod implication;
 mod kinds;
 mod paper;

@@ -15,12 +15,15 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
-use texmath::{Equation, Symbols, names_of, speaks_of};
+use texmath::{DoubtKind, Equation, Meaning, Symbols, names_of, speaks_of};
 use texmath::{Name, Tree, nearest};
 use toml::Spanned;
 
 /// What to do where one name has two meanings.
 pub(super) const RENAME: &str = "give one of them another name";
+
+/// What is guessed of a formula of a document, before the labels that it is taken to follow from.
+pub(super) const FOLLOWS: &str = "this is a claim that follows from ";
 
 /// A sheet, every formula read that can be.
 #[derive(Clone, Debug)]
@@ -274,6 +277,27 @@ impl Sheet {
             let is_read = sheet.entries.get(position).is_some_and(|entry| entry.unread.is_none());
             is_read.then_some(sheet)
         })
+    }
+
+    /// Returns a sheet in which the claim at a position of a document follows from nothing, where it was taken to follow from
+    /// something.
+    pub fn resting_on_nothing(&self, position: usize) -> Option<Self> {
+        let is_guess = |entry: &&Entry| entry.standing != Standing::Said && !entry.follows_from.is_empty();
+        self.entries.get(position).filter(is_guess)?;
+        let mut sheet = self.clone();
+        let Self { symbols, entries, .. } = &mut sheet;
+        let entry = entries.get_mut(position)?;
+        entry.follows_from.clear();
+        entry.guessed.retain(|guess| !guess.starts_with(FOLLOWS));
+        entry
+            .doubts
+            .retain(|doubt| !matches!(doubt.kind, DoubtKind::SecondValue(_)));
+        // what was defined is any number
+        let names = names_of(&entry.equations).into_iter();
+        for name in names.filter(|name| !symbols.knows(name)).collect::<Vec<_>>() {
+            symbols.declare(name, Meaning::Parameter);
+        }
+        Some(sheet)
     }
 
     /// The number of the `[[equation]]` that the entry at a position is read from, and the positions of all that is read

@@ -273,15 +273,18 @@ impl RawSymbols {
         let plain = self.parameters.iter().chain(&self.times).chain(&self.states);
         texts.extend(plain.chain(kinds).cloned());
         texts.extend(self.maps.keys().cloned());
-        let word = |text: &String| -> String { text.trim().chars().take_while(char::is_ascii_alphabetic).collect() };
-        // `Cov(X_1, X_2)` is a symbol, `Cov` none
-        let is_name = |text: &&String| self.opaque.is_none() || !text.contains('(');
-        let words = texts
-            .iter()
-            .filter(is_name)
-            .map(word)
-            .filter(|word| word.len() > 1)
-            .collect();
+        let word = |text: &String| {
+            let text = text.trim();
+            let (word, script) = text.split_at(text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len()));
+            let is_index = |index: &str| match index.strip_prefix('{').and_then(|index| index.split_once('}')) {
+                Some((_, behind)) => behind.is_empty(),
+                None => index.chars().count() == 1,
+            };
+            // `Cov(X_1, X_2)` and `mr^2 \hat{z}` are symbols, `Cov` and `mr` none
+            let is_name = self.opaque.is_none() || script.is_empty() || script.strip_prefix('_').is_some_and(is_index);
+            (is_name && word.len() > 1).then(|| word.to_owned())
+        };
+        let words = texts.iter().filter_map(word).collect();
         let letter = |text: &String| -> Option<String> {
             let text = text.trim();
             (text.len() == 1).then(|| text.to_owned())

@@ -1,5 +1,6 @@
 //! Formulas in letters that need not commute, as of matrices, vectors and operators: sums of words.
 
+use super::functional::{Mean, has_sums, mean, with_sums};
 use super::premise::Statements;
 use num_traits::{One, Zero};
 use numbers::Rational;
@@ -14,6 +15,9 @@ const HIGHEST_POWER: i32 = 12;
 
 /// Values within values beyond which nothing is put in.
 const DEEPEST: usize = 20;
+
+/// What the names of means begin with that are factors.
+const MEAN: &str = "mean ";
 
 /// Accents of vectors.
 const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
@@ -233,6 +237,9 @@ impl WordQuestion {
                 _ => premises.push(&premise.equation),
             }
         }
+        for claim in &statements.claims {
+            reader.take_constants(claim);
+        }
         reader.keep_readable();
         // what cannot be written in words is not used
         let mut givens: Vec<Words> = Vec::new();
@@ -300,6 +307,8 @@ pub(super) struct Reader<'a> {
     provided: BTreeSet<String>,
     /// How many letters were bound.
     bound: usize,
+    /// Letters that stand outside of means, of which these are taken to be no random variables.
+    constants: BTreeSet<Name>,
 }
 
 impl<'a> Reader<'a> {
@@ -314,6 +323,7 @@ impl<'a> Reader<'a> {
             may_transpose: false,
             provided: BTreeSet::new(),
             bound: 0,
+            constants: BTreeSet::new(),
         }
     }
 
@@ -350,8 +360,23 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Takes the small letters that an equation holds outside of means for constants.
+    fn take_constants(&mut self, equation: &Equation) {
+        let mut names = BTreeSet::new();
+        for side in [&equation.left, &equation.right] {
+            names_in(side, &mut names);
+        }
+        let is_constant = |name: &Name| {
+            let letter = name.base.trim_start_matches('\\');
+            letter.starts_with(|c: char| c.is_ascii_lowercase()) && name.accents.is_empty() && !is_opaque(name)
+        };
+        names.retain(|name| is_constant(name) && !self.values.contains_key(name));
+        self.constants.append(&mut names);
+    }
+
     /// Returns true if an equation holds in every ring.
     pub fn has_identity(&mut self, equation: &Equation) -> bool {
+        self.take_constants(equation);
         equation.relation == Relation::Equal && self.difference(equation).is_some_and(|words| words.is_zero())
     }
 
@@ -387,6 +412,13 @@ impl<'a> Reader<'a> {
                 let value = self.value(name)?;
                 (depth < DEEPEST).then(|| self.expanded(&value, depth + 1)).flatten()
             }
+            // of a matrix nothing is drawn out
+            Tree::Symbol(name, _) if (self.is_operator)(name) => Some(self.atom(tree)),
+            Tree::Symbol(name, _) if is_opaque(name) => match mean(&name.base) {
+                Some(mean) => self.mean(&mean, depth),
+                None if has_sums(tree) => self.expanded(&with_sums(tree), depth),
+                None => Some(self.atom(tree)),
+            },
             Tree::Number(number) => Some(Words::constant(number.clone())),
             Tree::Negate(of) => Some(self.expanded(of, depth)?.negated()),
             Tree::PlusMinus(_) | Tree::MinusPlus(_) => None,
@@ -495,20 +527,87 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// A sum over an index: what does not depend on it stands in front of it, or behind.
+    /// A sum over an index, with those within it: finite ones whose ends do not depend on each other may change places.
     fn series(&mut self, of: &Tree, index: &Name, ends: [&Tree; 2], depth: usize) -> Option<Words> {
-        if self.depends_by_value(of, index) {
-            return None;
+        let mut ranges = vec![(index.clone(), ends.map(Tree::clone))];
+        let mut of = with_sums(of);
+        while let Some((index, ends, body)) = inner_sum(&of).filter(|(index, ends, _)| {
+            let is_free = |end: &Tree| !ranges.iter().any(|(outer, _)| mentions(end, outer));
+            is_finite(ends)
+                && ranges.iter().all(|(outer, ends)| outer != index && is_finite(ends))
+                && ends.iter().all(is_free)
+        }) {
+            ranges.push((index, ends));
+            of = body;
         }
-        let token = self.token();
-        let body = self.expanded(&bound(of, index, &token), depth)?;
+        ranges.sort_by_cached_key(|(index, ends)| (ends.each_ref().map(ToString::to_string), index.to_string()));
+        let mut tokens = Vec::new();
+        for (index, _) in &ranges {
+            if self.depends_by_value(&of, index) {
+                return None;
+            }
+            let token = self.token();
+            of = bound(&of, index, &token);
+            tokens.push(token);
+        }
+        let mut words = self.expanded(&of, depth)?;
+        for ((_, ends), token) in ranges.iter().zip(&tokens).rev() {
+            words = self.summed(&words, token, ends.each_ref(), depth)?;
+        }
+        Some(words)
+    }
+
+    /// A sum over the index that a token stands for: what does not depend on it stands in front of it, or behind.
+    fn summed(&mut self, body: &Words, token: &str, ends: [&Tree; 2], depth: usize) -> Option<Words> {
         let [from, to] = [self.expanded(ends[0], depth)?, self.expanded(ends[1], depth)?];
-        let range = format!("sum {}..{}", sum_printed(&from), sum_printed(&to));
         let is_start = matches!(ends[0], Tree::Number(number) if number.0.is_zero() || number.0.is_one());
-        let is_finite = !matches!(ends[1], Tree::Operation(..));
+        let range = format!("sum {}..{}", sum_printed(&from), sum_printed(&to));
         let length = to.plus(&from.negated()).plus(&Words::constant(Rational::one()));
         let commutes = length.0.keys().all(|word| word.letters.is_empty());
-        let is_free = |name: &str| !name.contains(&token);
+        let length = (is_start && is_finite(&ends) && commutes).then(|| {
+            let least = if matches!(ends[0], Tree::Number(number) if number.0.is_zero()) {
+                "-1"
+            } else {
+                "0"
+            };
+            (length, format!(r"{} \ge {least}", ends[1]))
+        });
+        let is_free = |name: &str| !name.contains(token);
+        Some(self.drawn_out(body, &is_free, |reader, inner| match &length {
+            Some((length, condition)) if *inner == Word::default() => {
+                reader.provided.insert(condition.clone());
+                length.clone()
+            }
+            _ => closed(&range, inner, token),
+        }))
+    }
+
+    /// A mean: what is constant stands in front of it, or behind.
+    fn mean(&mut self, mean: &Mean, depth: usize) -> Option<Words> {
+        let body = self.expanded(&mean.of, depth)?;
+        let known: BTreeSet<String> = self.constants.iter().map(ToString::to_string).collect();
+        let is_free = |name: &str| !mean.is_conditional && (known.contains(name) || name.starts_with(MEAN));
+        let spoken = body.0.keys().flat_map(|word| word.scalars.keys());
+        let taken = spoken.filter(|name| !mean.is_conditional && known.contains(*name));
+        let taken: Vec<String> = taken.map(|name| format!("${name}$ is constant")).collect();
+        self.provided.extend(taken);
+        let range = format!("{MEAN}{}", mean.sign);
+        let token = self.token();
+        Some(
+            self.drawn_out(&body, &is_free, |_, inner| match *inner == Word::default() {
+                true => Words::constant(Rational::one()),
+                false => closed(&range, inner, &token),
+            }),
+        )
+    }
+
+    /// Returns a sum of words with what is done to each applied to what is not free in it: the rest stands in front of it, or behind.
+    fn drawn_out(
+        &mut self,
+        body: &Words,
+        is_free: &dyn Fn(&str) -> bool,
+        done: impl Fn(&mut Self, &Word) -> Words,
+    ) -> Words {
         let mut sum = Words::default();
         for (word, coefficient) in &body.0 {
             let (free, scalars) = word.scalars.clone().into_iter().partition(|(name, _)| is_free(name));
@@ -528,21 +627,10 @@ impl<'a> Reader<'a> {
                 scalars: BTreeMap::new(),
                 letters: last.to_vec(),
             };
-            let inner = match inner == Word::default() {
-                true if is_start && is_finite && commutes => {
-                    let least = if matches!(ends[0], Tree::Number(number) if number.0.is_zero()) {
-                        "-1"
-                    } else {
-                        "0"
-                    };
-                    self.provided.insert(format!(r"{} \ge {least}", ends[1]));
-                    length.clone()
-                }
-                _ => closed(&range, &inner, &token),
-            };
+            let inner = done(self, &inner);
             sum.add_between(coefficient, &front, &inner, &behind);
         }
-        Some(sum)
+        sum
     }
 
     /// An integral between limits, term by term; any letter may depend on what it is over.
@@ -861,6 +949,39 @@ fn binds(tree: &Tree, letter: &Name) -> bool {
         tree,
         &mut |node| matches!(node, Tree::Operation(operation, _) if operation.letter() == Some(letter)),
     )
+}
+
+/// Returns true if a sum between these ends has so many terms.
+fn is_finite(ends: &[impl std::borrow::Borrow<Tree>; 2]) -> bool {
+    ends.iter().all(|end| !matches!(end.borrow(), Tree::Operation(..)))
+}
+
+/// Returns the index and the ends of a sum that a tree is, or has for a factor whose index the others do not speak of, and what is
+/// summed then.
+fn inner_sum(tree: &Tree) -> Option<(Name, [Tree; 2], Tree)> {
+    match tree {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Series {
+                kind: Series::Sum,
+                of,
+                index,
+                from,
+                to,
+            } => Some((index.clone(), [from.clone(), to.clone()], of.clone())),
+            _ => None,
+        },
+        Tree::Product(factors) => factors.iter().enumerate().find_map(|(at, factor)| {
+            let (index, ends, body) = inner_sum(factor)?;
+            let mut others = factors.iter().enumerate().filter(|(other, _)| *other != at);
+            if others.any(|(_, other)| mentions(other, &index)) {
+                return None;
+            }
+            let mut factors = factors.clone();
+            *factors.get_mut(at)? = body;
+            Some((index, ends, Tree::Product(factors)))
+        }),
+        _ => None,
+    }
 }
 
 /// Puts a sign in the place of a letter in a subscript or a term.

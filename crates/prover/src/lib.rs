@@ -50,7 +50,7 @@ use claims::{
     Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, WordQuestion, at_positive_bases, other_ways, reduced,
     reduced_by_cases, thin_domains, values,
 };
-use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side};
+use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side, is_opaque};
 
 /// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
 fn negative_power(equation: &Equation) -> Option<Tree> {
@@ -97,7 +97,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     {
         return Decision::of(sheet, position).given(given_unread(standing, fault));
     }
-    let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
+    let Searched { decision, .. } = search(sheet, position, options, false);
     match (standing, decision.verdict) {
         (Standing::Law, Verdict::Undecided) => {
             let reason = format!(
@@ -121,12 +121,50 @@ fn given_unread(standing: Standing, fault: &Fault) -> String {
 
 /// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
-    let mut search = Search::of(sheet, position, options);
-    search.kept = Some(Vec::new());
-    let verdict = search.decide_readings(sheet, position).found();
-    let mut kept = search.kept.unwrap_or_default();
+    let searched = search(sheet, position, options, true);
+    let (verdict, mut kept) = (searched.decision.found(), searched.kept);
     kept.retain(|one| one.found.verdict() == verdict);
     kept
+}
+
+/// What the search finds for a claim.
+struct Searched {
+    decision: Decision,
+    /// The sheet in which the claim follows from nothing, where that is what is decided.
+    by_itself: Option<Sheet>,
+    /// What decides the questions that were met, where it is asked for.
+    kept: Vec<Decided>,
+}
+
+/// Decides the claim at a position in its readings; by itself where its premises leave it open: what holds so holds whatever they
+/// mean.
+fn search(sheet: &Sheet, position: usize, options: &Options, keep: bool) -> Searched {
+    let run = |sheet: &Sheet| {
+        let mut search = Search::of(sheet, position, options);
+        search.kept = keep.then(Vec::new);
+        (search.decide_readings(sheet, position), search.kept.unwrap_or_default())
+    };
+    let (decision, kept) = run(sheet);
+    let by_itself = match decision.verdict {
+        Verdict::Undecided if !decision.fails => sheet.resting_on_nothing(position),
+        _ => None,
+    };
+    if let Some(by_itself) = by_itself
+        && let (decision, kept) = run(&by_itself)
+        && decision.verdict == Verdict::Proved
+    {
+        let by_itself = Some(by_itself);
+        return Searched {
+            decision,
+            by_itself,
+            kept,
+        };
+    }
+    Searched {
+        decision,
+        by_itself: None,
+        kept,
+    }
 }
 
 /// Returns true if a claim follows from others.
@@ -135,13 +173,15 @@ fn rests_on_others(sheet: &Sheet, position: usize) -> bool {
     entry.is_some_and(|entry| entry.unread.is_none() && !entry.follows_from.is_empty())
 }
 
-/// Returns true if a claim without conditions holds a sum of unknown length, of which no number is known.
+/// Returns true if a claim without conditions holds a sum of unknown length, of which no number is known, or a term that is not
+/// understood, and may be linear.
 fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
     let is_sum = |node: &Tree| match node {
         Tree::Operation(operation, _) => match &**operation {
             Operation::Series { from, to, .. } => [from, to].into_iter().any(|end| !matches!(end, Tree::Number(_))),
             _ => false,
         },
+        Tree::Symbol(name, _) => is_opaque(name),
         _ => false,
     };
     let entry = sheet.entries.get(position).filter(|entry| entry.assume.is_empty());
@@ -166,7 +206,8 @@ pub(crate) fn proof_in_words(
     position: usize,
     options: &Options,
 ) -> Option<(WordQuestion, kernel::WordProof)> {
-    let decision = Search::of(sheet, position, options).decide_readings(sheet, position);
+    let searched = search(sheet, position, options, false);
+    let (decision, sheet) = (searched.decision, searched.by_itself.as_ref().unwrap_or(sheet));
     let is_one = decision.found() == Verdict::Proved && decision.rules.contains(&Rule::Words);
     let (question, found, _) = is_one.then(|| in_words(sheet, position)).flatten()?;
     Some((question, found))
@@ -237,7 +278,8 @@ impl<'a> Search<'a> {
             }
             None => {
                 let decision = self.decide(sheet, position);
-                let is_open = matches!(decision.verdict, Verdict::Undecided | Verdict::Unread) && !decision.is_vacuous;
+                // numbers in the place of sums and means do not refute what is linear
+                let is_open = decision.verdict != Verdict::Proved && !decision.is_vacuous;
                 let is_of_sums = || is_open && !doubts.iter().any(is_marked) && speaks_of_sums(sheet, position);
                 let further = is_of_sums().then(|| self.in_words(sheet, position)).flatten();
                 further.unwrap_or(decision)

@@ -688,7 +688,10 @@ impl<'a> Writer<'a, '_> {
             let is_needed = power && !is_letter;
             let is_called =
                 has_several || (self.may_be_function(at, name_end, inside, is_needed) && self.byte(open) == b'(');
-            return ((is_operator || is_called) && !is_relation && !inside.trim().is_empty()).then_some(close + 1);
+            // `\sum_{k=1}^n (...)` takes nothing at its bracket
+            let is_above = self.slice(0, at).trim_end().ends_with('^');
+            let is_term = is_operator || (is_called && !is_above);
+            return (is_term && !is_relation && !inside.trim().is_empty()).then_some(close + 1);
         }
         // a letter in bold is another than the plain one
         if is_bold(name) {
@@ -920,9 +923,9 @@ impl<'a> Writer<'a, '_> {
         }
     }
 
-    /// Returns true if a slash stands in front of what begins at a place, or a power behind its end.
+    /// Returns true if a slash, or the sign of a script, stands in front of what begins at a place, or a power behind its end.
     fn is_parted(&self, at: usize, next: usize, end: usize) -> bool {
-        self.slice(0, at).trim_end().ends_with('/') || self.byte(self.after_blanks(next, end)) == b'^'
+        self.slice(0, at).trim_end().ends_with(['/', '^', '_']) || self.byte(self.after_blanks(next, end)) == b'^'
     }
 
     /// Writes the command between two bytes as what it stands for, and returns where its arguments end.

@@ -2,7 +2,7 @@
 //! noted, or reading fails and says what to write instead.
 
 use super::error::{Fault, Reason};
-use super::extent::{Belongs, Extents};
+use super::extent::{Belongs, Extents, last_call};
 use super::part::{Form, Part, product, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Tree};
@@ -296,7 +296,10 @@ impl<'a> Reader<'a> {
             let number = factors.len().saturating_sub(1);
             if token.kind != Kind::Slash {
                 let belongs = match is_open && juxtaposed {
-                    true => Some(Belongs { is_usual: false }),
+                    // \cos x \sqrt{y} is a product
+                    true => Some(Belongs {
+                        is_usual: matches!(*factor.tree, Tree::Root(..)) && ends_in_letter(factors.last()),
+                    }),
                     false => Self::may_belong(factors.last(), form, &factor.tree, token),
                 };
                 belongs
@@ -543,6 +546,12 @@ fn is_sign(kind: Kind) -> bool {
 
 fn is_operation(kind: Kind) -> bool {
     matches!(kind, Kind::Times | Kind::Star | Kind::Slash)
+}
+
+/// Returns true if a factor ends in a function of one letter.
+fn ends_in_letter(factor: Option<&Tree>) -> bool {
+    let call = factor.and_then(last_call);
+    call.is_some_and(|(_, argument)| matches!(argument, Tree::Symbol(..)))
 }
 
 #[cfg(test)]

@@ -153,10 +153,11 @@ pub fn unit(text: &str) -> Option<String> {
             *powers.entry(base).or_default() += exponent * power;
         }
     }
+    powers.retain(|_, power| *power != 0);
     if ten != 0 || (parts.is_empty() && powers.is_empty()) {
         parts.push(format!("10^{{{ten}}}"));
     }
-    for (base, power) in powers.into_iter().filter(|(_, power)| *power != 0) {
+    for (base, power) in powers {
         parts.push(match power {
             1 => format!(r"\upsilon_{{\mathrm{{{base}}}}}"),
             power => format!(r"\upsilon_{{\mathrm{{{base}}}}}^{{{power}}}"),

@@ -5,7 +5,7 @@ use super::super::entry::{Entry, RawEntry, Role, Standing};
 use super::super::fault::{Fault, Text};
 use super::super::function::are_different;
 use super::super::implication;
-use super::super::sheet::{RawSheet, Sheet};
+use super::super::sheet::{FOLLOWS, RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::factors::Factors;
 use super::marks::{Marked, Marks, OF_COMPLEX, Stated};
@@ -216,9 +216,11 @@ fn acts_on_a_letter(node: &Tree) -> bool {
     let Tree::Product(factors) = node else {
         return false;
     };
+    // `\delta^t` is a power
+    let acts = |factor: &Tree| !matches!(factor, Tree::RealPower(..)) && letter_of(factor).is_some_and(acts);
     factors
         .windows(2)
-        .any(|pair| letter_of(&pair[0]).is_some_and(acts) && letter_of(&pair[1]).is_some())
+        .any(|pair| acts(&pair[0]) && letter_of(&pair[1]).is_some())
 }
 
 /// Whether a Greek letter stands above another: mostly an index.
@@ -940,7 +942,7 @@ impl Guess {
             if is_guess && is_founded {
                 guessed.push("this is a claim".to_owned());
             } else if is_guess {
-                guessed.push(format!("this is a claim that follows from {from}"));
+                guessed.push(format!("{FOLLOWS}{from}"));
             }
         }
         // an author who says that it is a claim says what it follows from beside the meaning of its names
@@ -1456,7 +1458,12 @@ impl Guess {
         let is_new = !is_met && !self.symbols.knows(name) && !is_constant(name);
         let is_function = self.functions.contains(name) || name.base == TIME;
         let is_one = pair_of(name).is_none() && name.primes == 0 && !is_function;
-        (equation.relation == Relation::Equal && is_new && is_one && !right.contains(name)).then(|| name.clone())
+        let none = |_: &Name| false;
+        // the mean of a sum is no name
+        let is_law = || is_opaque(name) && Reader::new(&none).has_identity(equation);
+        let is_definition =
+            equation.relation == Relation::Equal && is_new && is_one && !right.contains(name) && !is_law();
+        is_definition.then(|| name.clone())
     }
 
     /// The name that an equation gives which holds up to the place `until` of the text; none where it has the value up to there alone, and

@@ -1,5 +1,6 @@
 //! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
 
+use super::super::functional::letters_in;
 use super::members::{Members, contains_unit, j_is_unit};
 use crate::words::{Reader, transposed};
 use std::collections::BTreeSet;
@@ -38,6 +39,8 @@ struct Factors {
     of_matrices: BTreeSet<Name>,
     /// Factors of divisors and of what roots, logarithms, sines and cosines are taken of.
     numbers: BTreeSet<Name>,
+    /// Those of them that stand in divisors, or in powers with a Greek exponent, where nobody writes an estimate for an operator.
+    divisors: BTreeSet<Name>,
     /// True if the text calls letters matrices, so that any two capital letters may be some: `G M` of a text about masses are none.
     are_named: bool,
 }
@@ -64,7 +67,15 @@ impl Factors {
                     self.of_matrices.extend(plain(last).filter(|_| is_of_matrices(first)));
                 }
             }
-            Tree::Quotient(_, of, _) | Tree::Root(of, ..) => self.read_number(of),
+            Tree::Quotient(_, of, _) | Tree::Root(of, ..) => {
+                let known = std::mem::take(&mut self.numbers);
+                self.read_number(of);
+                self.divisors.extend(self.numbers.iter().cloned());
+                self.numbers.extend(known);
+            }
+            Tree::RealPower(of, exponent, _) if any(exponent, &mut |node| is_greek(node)) => {
+                self.numbers.extend(letter_of_power(of).cloned());
+            }
             Tree::Call(name, of, _) if OF_NUMBERS.contains(&name.base.as_str()) => self.read_number(of),
             _ => {}
         }
@@ -174,6 +185,16 @@ fn has_two_bars(name: &Name) -> bool {
 fn is_typographic(name: &Name) -> bool {
     let accents = [r"\hat", r"\widehat", r"\mathcal", r"\mathscr", r"\mathfrak"];
     is_set_apart(name) || has_two_bars(name) || has_accent(name, &ARROWS) || has_accent(name, &accents)
+}
+
+/// Returns true for a letter with a hat, of an estimate more often than of an operator.
+fn has_hat_alone(name: &Name) -> bool {
+    has_accent(name, &[r"\hat", r"\widehat"]) && !is_set_apart(name) && name.accents.len() == 1
+}
+
+/// Returns true for a small Greek letter.
+fn is_greek(node: &Tree) -> bool {
+    matches!(node, Tree::Symbol(name, _) if is_small_greek(name))
 }
 
 /// The letters of a claim that its document marks as more than real numbers.
@@ -362,7 +383,12 @@ impl Marks {
                         if has_matrices && is_factor && !is_constant(name) {
                             multiplied.insert(name.clone());
                         }
-                        if is_set_apart(name) || has_two_bars(name) {
+                        let holds_matrices = || {
+                            let is_matrix =
+                                |own: &String| letters_of_matrices.contains(own) || members.matrices.contains(own);
+                            letters_in(name).iter().any(is_matrix)
+                        };
+                        if is_set_apart(name) || has_two_bars(name) || holds_matrices() {
                             marks.operators.insert(name.clone());
                         }
                         if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
@@ -395,7 +421,7 @@ impl Marks {
         marks.operators.append(&mut multiplied);
         marks.numbers = numbers
             .into_iter()
-            .filter(|name| !is_typographic(name))
+            .filter(|name| !is_typographic(name) || (has_hat_alone(name) && factors.divisors.contains(name)))
             // who says that it is a matrix divides by another letter of the name
             .filter(|name| {
                 let is_matrix = name.accents.is_empty() && members.matrices.contains(&name.base);
@@ -810,22 +836,26 @@ impl Marks {
     /// Returns the marked letters that a claim speaks of; `is_free` says that no definition gives a letter.
     pub fn marked(&self, stated: &Stated<'_>, is_free: &dyn Fn(&Name) -> bool) -> Marked {
         let all = || stated.own.iter().chain(&stated.below);
-        let found = |marked: &BTreeSet<Name>| -> Vec<String> {
-            let mut found = BTreeSet::new();
-            for equation in all() {
-                for side in [&equation.left, &equation.right] {
-                    any(side, &mut |node| {
-                        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node
-                            && marked.contains(name)
-                            && is_free(name)
-                        {
-                            found.insert(name.to_string());
-                        }
-                        false
-                    });
-                }
+        // sums and means that are symbols speak of what stands in them
+        let (mut spoken, mut within) = (BTreeSet::new(), BTreeSet::new());
+        for equation in all() {
+            for side in [&equation.left, &equation.right] {
+                any(side, &mut |node| {
+                    if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
+                        spoken.insert(name.clone());
+                        within.extend(letters_in(name));
+                    }
+                    false
+                });
             }
-            found.into_iter().map(|name| format!("`{name}`")).collect()
+        }
+        let all_of = |marked: &BTreeSet<Name>| -> Vec<String> {
+            let is_spoken_of = |name: &&Name| spoken.contains(*name) || within.contains(&name.base);
+            marked.iter().filter(is_spoken_of).map(ToString::to_string).collect()
+        };
+        let found = |marked: &BTreeSet<Name>| -> Vec<String> {
+            let free: BTreeSet<Name> = marked.iter().filter(|name| is_free(name)).cloned().collect();
+            all_of(&free).into_iter().map(|name| format!("`{name}`")).collect()
         };
         let is_real_only = |marked: &BTreeSet<Name>| {
             let is_equation = |equation: &Equation| equation.relation == Relation::Equal;
@@ -856,21 +886,6 @@ impl Marks {
                 complex.join(", ")
             ));
         }
-        let all_of = |marked: &BTreeSet<Name>| -> Vec<String> {
-            let mut spoken = BTreeSet::new();
-            for equation in all() {
-                for side in [&equation.left, &equation.right] {
-                    any(side, &mut |node| {
-                        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
-                            spoken.insert(name.clone());
-                        }
-                        false
-                    });
-                }
-            }
-            let is_spoken_of = |name: &&Name| spoken.contains(*name);
-            marked.iter().filter(is_spoken_of).map(ToString::to_string).collect()
-        };
         if doubts.is_empty() {
             return Marked::default();
         }

@@ -773,6 +773,11 @@ impl<'a> Scan<'a> {
                 if let Some(numbers) = numbers_of(&meant) {
                     return self.environment(here, inside, end, [&own, &meant], numbers);
                 }
+                if let Some((body, kind)) = self.wrapped(&own, inside)
+                    && let Some(numbers) = numbers_of(&kind)
+                {
+                    return self.environment(here, body, end, [&own, &kind], numbers);
+                }
                 if COUNTING.contains(&own.as_str()) {
                     let problem = format!("`{own}` is not read: write its formulas as an align");
                     self.faults.push((here, problem));
@@ -979,6 +984,26 @@ impl<'a> Scan<'a> {
         }
         self.display(body, numbers, meant);
         close
+    }
+
+    /// Returns where the body of a display in an environment of a package begins, and the environment of amsmath that it is laid out
+    /// as; nothing for one with something to the left of its rows.
+    fn wrapped(&self, own: &str, inside: usize) -> Option<(usize, String)> {
+        match own {
+            "numcases" | "subnumcases" => {
+                let left = self.group(inside, BRACES)?;
+                let shown = self.text.get(left.clone())?.trim();
+                let is_label = shown.starts_with(r"\label{") && shown.find('}') == Some(shown.len() - 1);
+                (shown.is_empty() || is_label).then(|| (left.end + 1, "align".to_owned()))
+            }
+            "empheq" => {
+                let options = self.group(inside, SQUARE).map_or(inside, |options| options.end + 1);
+                let kind = self.group(options, BRACES)?;
+                let shown = self.text.get(kind.clone())?.split('=').next()?.trim();
+                Some((kind.end + 1, shown.to_owned()))
+            }
+            _ => None,
+        }
     }
 
     fn without_end(&mut self, here: usize, inside: usize, own: &str) -> usize {
