@@ -1,6 +1,6 @@
 //! Accuses formulas of documents without comments: they fail, and a slip of the pen explains it.
 
-use crate::claim::{Entry, Sheet, Standing, Verdict};
+use crate::claim::{Entry, Role, Sheet, Standing, Verdict};
 use crate::prove::{self, Decision};
 use crate::repair::{Repair, Repairs, slips};
 use crate::tex::{Equation, Name, Operation, Relation, Tree, any_side, is_opaque, names_in};
@@ -59,11 +59,15 @@ fn is_misprint(sheet: &Sheet, position: usize, entry: &Entry, repair: &Repair, o
         true => MOST_SLIPS,
         false => 1,
     };
-    // a small term may be left out for good, but not between two sides that have it
-    let lacks_a_term = slips(printed, mended, false).is_none();
+    // a small term may be left out for good, but not between two sides that have it; and letters may be equal by what the text says
+    let needs_sides = slips(printed, mended, false).is_none() || repair.swaps_letters();
     let are_slips = slips(printed, mended, true).is_some_and(|slips| slips <= most)
-        && (!lacks_a_term || links_beside(sheet, position, entry, repair, options).contains(&true));
-    let is_link_of_its_letters = || entry.standing == Standing::Link && have_one_set_of_letters([mended]);
+        && (!needs_sides || links_beside(sheet, position, entry, repair, options).contains(&true));
+    let is_link_of_its_letters = || {
+        entry.standing == Standing::Link
+            && (have_one_set_of_letters([mended])
+                || (keeps_letters(printed, mended) && are_one_by_definitions(sheet, entry, mended)))
+    };
     are_slips && (is_link_of_its_letters() || is_identity(sheet, position, mended, options))
 }
 
@@ -129,6 +133,51 @@ fn letters(side: &Tree) -> BTreeSet<Name> {
     let mut names = BTreeSet::new();
     names_in(side, &mut names);
     names
+}
+
+/// Returns true if no letter of a side is gone from it.
+fn keeps_letters(printed: &Equation, mended: &Equation) -> bool {
+    letters(&printed.left).is_subset(&letters(&mended.left))
+        && letters(&printed.right).is_subset(&letters(&mended.right))
+}
+
+/// Returns true if both sides of an equation have the same letters once the definitions that it rests on are put in, and these are
+/// all that it rests on.
+fn are_one_by_definitions(sheet: &Sheet, entry: &Entry, equation: &Equation) -> bool {
+    let definition = |&at: &usize| match sheet.entries.get(at)? {
+        Entry {
+            role: Role::Definition,
+            equations,
+            ..
+        } => match equations.as_slice() {
+            [
+                Equation {
+                    left: Tree::Symbol(name, _),
+                    right,
+                    ..
+                },
+            ] => Some((name.clone(), letters(right))),
+            _ => None,
+        },
+        _ => None,
+    };
+    let definitions: Option<Vec<(Name, BTreeSet<Name>)>> = entry.follows_from.iter().map(definition).collect();
+    let Some(definitions) = definitions.filter(|definitions| !definitions.is_empty()) else {
+        return false;
+    };
+    let put_in = |side: &Tree| {
+        let mut own = letters(side);
+        // each once, as no definition rests on itself
+        for _ in &definitions {
+            for (name, of) in &definitions {
+                if own.remove(name) {
+                    own.extend(of.iter().cloned());
+                }
+            }
+        }
+        own
+    };
+    put_in(&equation.left) == put_in(&equation.right)
 }
 
 /// Returns true if both sides of each equation have the same letters, as most links of chains have.

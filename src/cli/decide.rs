@@ -148,7 +148,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
     let repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
         _ if entry.is_some_and(|entry| may_be_misprinted(entry, &decision)) => {
-            // the premises are a guess: with none of them another repair may be proved
+            // the premises are a guess: without them another repair may be proved
             let by_itself = sheet.resting_on_nothing(position);
             let mut sheets = std::iter::once(sheet).chain(&by_itself);
             let found = sheets.find_map(|sheet| misprints(sheet, position, repairs(sheet, position, options), options));

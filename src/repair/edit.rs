@@ -644,7 +644,7 @@ fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
     for (n, factor) in factors.iter().enumerate() {
         for (other, with) in factors.iter().enumerate().skip(n + 1) {
             if let Some((one, two)) = swapped_letters(factor, with) {
-                let words = format!("the letters of `{factor}` and `{with}` are swapped");
+                let words = format!("{SWAPPED} `{factor}` and `{with}` are swapped");
                 edits.add(product(put(&put(factors, n, one), other, two)), PLAIN + 2, words);
             }
         }
@@ -663,6 +663,9 @@ fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
         edits.add(lowered, RARE, words);
     }
 }
+
+/// How the words of an edit begin that swaps the letters of two factors.
+pub const SWAPPED: &str = "the letters of";
 
 /// Returns two factors with the letter of each in the place of that of the other, where this makes other powers of them.
 fn swapped_letters(one: &Tree, other: &Tree) -> Option<(Tree, Tree)> {

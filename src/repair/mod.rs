@@ -111,6 +111,11 @@ impl Repair {
         self.edits.iter().map(change).collect::<Vec<_>>().join("; ")
     }
 
+    /// Returns true if the letters of two factors are swapped.
+    pub fn swaps_letters(&self) -> bool {
+        self.edits.iter().any(|edit| edit.words.starts_with(edit::SWAPPED))
+    }
+
     /// What is wrong in the claim.
     pub fn words(&self) -> String {
         let words: Vec<&str> = self.edits.iter().map(|edit| edit.words.as_str()).collect();

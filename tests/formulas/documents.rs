@@ -2202,8 +2202,8 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
         r"\[ q + r = 1 \] \begin{align*} V &= q^2 (q + r) \\ &= q^3 + q^3 r \end{align*}",
         // a term is missing that the sides beside have
         r"\begin{align*} V &= (a + b)^2 - a b \\ &= a^2 + a b \\ &= a (a + b) + b^2 \end{align*}",
-        // letters are swapped
-        r"\begin{align*} V &= m l^2 (1 + \dot{x}) + m l^2 \dot{x} \\ &= l m^2 (1 + 2 \dot{x}) \end{align*}",
+        // letters are swapped between sides that agree
+        r"\begin{align*} V &= m l^2 (1 + \dot{x}) + m l^2 \dot{x} \\ &= l m^2 (1 + 2 \dot{x}) \\ &= m l^2 + 2 m l^2 \dot{x} \end{align*}",
         // a letter too often, where all should cancel
         r"\begin{align*} V &= (a + b) c - c (b + a) \\ &= a c + b c - c b - c c \\ &= 0 \end{align*}",
         // a long sum that should be a number
@@ -2223,6 +2223,12 @@ fn a_slip_is_suspect_wherever_a_formula_is_claimed() {
         r"If \[ a = q (1 - r) - q r = q \]",
         // a product of vectors is none of numbers
         r"\begin{align*} V &= \vec{a} \times \vec{b} + \vec{b} \times \vec{a} \\ &= 0 \end{align*}",
+        // letters that are equal, by a formula of the text or by nothing that is read
+        r"The lengths are equal, $l = m$. Thus \begin{align*} V &= \tfrac{1}{2} l^2 m + 3 l m \\ &= \tfrac{1}{2} l m^2 + 3 l m \end{align*}",
+        r"The curves meet where \[ x^2 y = x y^2. \]",
+        r"With equal masses, $m = M$, hence \begin{align*} V &= m v^2 + M v^2 \\ &= m v^2 + m v^2 \end{align*}",
+        r"Let $P$ be a projector. \begin{align*} (1 - P)^2 &= 1 - 2 P + P^2 \\ &= 1 - P \end{align*}",
+        r"It would be a mistake to write \[ (2 + 3)^2 = 2^2 + 3^2. \]",
         // a short one may be a condition
         r"\[ \frac{a b}{a c} = 1 \]",
         // where a premise may be missing
@@ -2274,6 +2280,51 @@ fn what_holds_by_itself_is_proved_whatever_stands_before_it() {
 }
 
 #[test]
+fn what_gives_a_function_is_not_proved_by_itself() {
+    let text = r"\[ F(x) = P(X \leq x) \quad \forall x \in \mathbb{R} \] \[ F(x) = \sum_{x_i \leq x} p(x_i) \] so \[ F(x) = \begin{cases} 0 & x < 0 \\ 1 & x \geq 0 \end{cases} \]";
+    let ran = audited(&format!("% a note\n{text}\n"));
+    assert!(!ran.stdout.contains(",proved,"), "{}", ran.stdout);
+}
+
+#[test]
+fn a_formula_within_the_text_is_put_into_the_next_display() {
+    let display =
+        |sides: &str| format!("\\begin{{align*}} E &= \\frac{{1}}{{2}} m v^2 \\\\ &= {sides} \\end{{align*}}");
+    for said in [
+        "With $v = g t$ we get",
+        "Since $v = g t$, we get",
+        "Substituting $v = g t$ into it,",
+        "By $v = g t$, the energy is",
+        "We have $v = g t$, so",
+        "Let $m > 0$ and $v = g t$.",
+        "Let $m$ be the mass and $v = g t$ the speed.",
+        "Let $v = g t$ denote the speed.",
+    ] {
+        let right = audited(&format!("% a note\n{said}\n{}\n", display(r"\frac{1}{2} m g^2 t^2")));
+        assert!(right.stdout.contains(",proved,"), "{said}: {}", right.stdout);
+        let wrong = audited(&format!("% a note\n{said}\n{}\n", display(r"\frac{1}{2} m g^2 t")));
+        assert!(wrong.stdout.contains(",suspect,"), "{said}: {}", wrong.stdout);
+    }
+    for said in [
+        "If $v = g t$, then",
+        "The speed is not given by $v = g t$, but",
+        "Only when $v = g t$ do we get",
+        "We want to show that with $v = g t$",
+        "The claim is $v = g t$. Then",
+    ] {
+        let ran = audited(&format!("% a note\n{said}\n{}\n", display(r"\frac{1}{2} m g^2 t^2")));
+        assert!(!ran.stdout.contains(",proved,"), "{said}: {}", ran.stdout);
+    }
+    // it is said of that display alone
+    let text = format!(
+        "% a note\nWith $v = g t$ we get\n{}\nIn general\n{}\n",
+        display(r"\frac{1}{2} m g^2 t^2"),
+        r"\begin{align*} Q &= v^3 \\ &= g^3 t^3 \end{align*}",
+    );
+    assert_eq!(audited(&text).stdout.matches(",proved,").count(), 1);
+}
+
+#[test]
 fn sums_and_means_are_linear() {
     for (text, is_proved) in [
         (r"\sum_i (a_i + c b_i) = \sum_i a_i + c \sum_i b_i", true),
@@ -2311,6 +2362,9 @@ fn sums_and_means_are_linear() {
         (r"\mathbb{E}[X Y] = X \mathbb{E}[Y]", false),
         (r"\mathbb{E}[x Y | z] = x \mathbb{E}[Y | z]", false),
         (r"\mathbb{E}[X^2] = \mathbb{E}[X]^2", false),
+        (r"\mathbb{E}[a x + b] = a x + b", false),
+        (r"\mathbb{E}[x y] = x \mathbb{E}[y]", false),
+        (r"\mathbb{E}[a_I X_I] = a_I \mathbb{E}[X_I]", false),
         (
             r"\sum_i \mathbf{x}_i \mathbf{y}_i = \sum_i \mathbf{y}_i \mathbf{x}_i",
             false,

@@ -15,12 +15,24 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
-use texmath::{DoubtKind, Equation, Meaning, Symbols, names_of, speaks_of};
+use texmath::{DoubtKind, Equation, Meaning, Symbols, any_side, names_of, speaks_of};
 use texmath::{Name, Tree, nearest};
 use toml::Spanned;
 
 /// What to do where one name has two meanings.
 pub(super) const RENAME: &str = "give one of them another name";
+
+/// Returns true if a name stands in an equation once.
+fn has_name_once(equation: &Equation) -> bool {
+    let mut count: HashMap<Name, usize> = HashMap::new();
+    any_side(equation, &mut |node| {
+        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
+            *count.entry(name.clone()).or_default() += 1;
+        }
+        false
+    });
+    count.values().any(|count| *count == 1)
+}
 
 /// What is guessed of a formula of a document, before the labels that it is taken to follow from.
 pub(super) const FOLLOWS: &str = "this is a claim that follows from ";
@@ -280,10 +292,14 @@ impl Sheet {
     }
 
     /// Returns a sheet in which the claim at a position of a document follows from nothing, where it was taken to follow from
-    /// something.
+    /// something; nothing where a name stands in an equation once, which may say what it is.
     pub fn resting_on_nothing(&self, position: usize) -> Option<Self> {
         let is_guess = |entry: &&Entry| entry.standing != Standing::Said && !entry.follows_from.is_empty();
-        self.entries.get(position).filter(is_guess)?;
+        let claim = self.entries.get(position).filter(is_guess)?;
+        if claim.equations.iter().any(has_name_once) {
+            return None;
+        }
+        let names = names_of(&claim.equations);
         let mut sheet = self.clone();
         let Self { symbols, entries, .. } = &mut sheet;
         let entry = entries.get_mut(position)?;
@@ -293,8 +309,7 @@ impl Sheet {
             .doubts
             .retain(|doubt| !matches!(doubt.kind, DoubtKind::SecondValue(_)));
         // what was defined is any number
-        let names = names_of(&entry.equations).into_iter();
-        for name in names.filter(|name| !symbols.knows(name)).collect::<Vec<_>>() {
+        for name in names.into_iter().filter(|name| !self.symbols.knows(name)) {
             symbols.declare(name, Meaning::Parameter);
         }
         Some(sheet)

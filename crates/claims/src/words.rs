@@ -368,7 +368,12 @@ impl<'a> Reader<'a> {
         }
         let is_constant = |name: &Name| {
             let letter = name.base.trim_start_matches('\\');
-            letter.starts_with(|c: char| c.is_ascii_lowercase()) && name.accents.is_empty() && !is_opaque(name)
+            // `a_I` is random where `I` is
+            let has_random_index = name.subscript.contains(|c: char| c.is_ascii_uppercase());
+            letter.starts_with(|c: char| c.is_ascii_lowercase())
+                && name.accents.is_empty()
+                && !is_opaque(name)
+                && !has_random_index
         };
         names.retain(|name| is_constant(name) && !self.values.contains_key(name));
         self.constants.append(&mut names);
@@ -582,13 +587,21 @@ impl<'a> Reader<'a> {
         }))
     }
 
-    /// A mean: what is constant stands in front of it, or behind.
+    /// A mean: what is constant stands in front of it, or behind. Small letters are constant beside capital ones alone, as the
+    /// letters of random variables.
     fn mean(&mut self, mean: &Mean, depth: usize) -> Option<Words> {
         let body = self.expanded(&mean.of, depth)?;
         let known: BTreeSet<String> = self.constants.iter().map(ToString::to_string).collect();
-        let is_free = |name: &str| !mean.is_conditional && (known.contains(name) || name.starts_with(MEAN));
+        let are_random = |word: &Word| {
+            word.scalars
+                .keys()
+                .any(|name| name.starts_with(|c: char| c.is_ascii_uppercase()))
+        };
+        let has_random = !mean.is_conditional && body.0.keys().any(are_random);
+        let is_free =
+            |name: &str| (has_random && known.contains(name)) || (!mean.is_conditional && name.starts_with(MEAN));
         let spoken = body.0.keys().flat_map(|word| word.scalars.keys());
-        let taken = spoken.filter(|name| !mean.is_conditional && known.contains(*name));
+        let taken = spoken.filter(|name| has_random && known.contains(*name));
         let taken: Vec<String> = taken.map(|name| format!("${name}$ is constant")).collect();
         self.provided.extend(taken);
         let range = format!("{MEAN}{}", mean.sign);

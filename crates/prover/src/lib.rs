@@ -110,6 +110,9 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     }
 }
 
+/// How the question ends of what letters are that a document marks.
+const MARKED: &str = ", as the document marks them?";
+
 /// The reason why a formula that cannot be read is given.
 fn given_unread(standing: Standing, fault: &Fault) -> String {
     let what = match standing {
@@ -251,8 +254,14 @@ impl<'a> Search<'a> {
             false => None,
         };
         let decision = match of_all {
-            Some(decision) => {
-                doubts.retain(|kind| !is_marked(kind));
+            Some(mut decision) => {
+                let (marked, others) = doubts.into_iter().partition(|kind| is_marked(kind));
+                doubts = others;
+                let either = |kind: DoubtKind| match kind {
+                    DoubtKind::Marked(letters) => Some(format!("{}: either", letters.strip_suffix(MARKED)?)),
+                    _ => None,
+                };
+                decision.readings.extend(Vec::into_iter(marked).filter_map(either));
                 decision
             }
             // nothing else would prove it of all of them; a link that fails for numbers fails

@@ -23,6 +23,31 @@ const IN_FRONT: [&str; 14] = [
     "we let",
 ];
 
+/// Words right in front of what is said of the next display: `using $v = g t$`, `with $v = g t$ we get`.
+const LEADING: [&str; 11] = [
+    "with",
+    "since",
+    "because",
+    "using",
+    "use",
+    "substituting",
+    "substitute",
+    "inserting",
+    "insert",
+    "by",
+    "from",
+];
+
+/// Words right behind what is said of the next display: `we have $v = g t$, so`.
+const TO_NEXT: [&str; 6] = [", so", ", and so", ", hence", ", and hence", ", thus", ", therefore"];
+
+/// Words and signs right in front of one more thing that a sentence says, `Let $m$ be the mass and $v = g t$ the speed`.
+const ONE_MORE: [&str; 4] = ["and", ",", "with", "where"];
+
+/// The most words of a sentence in front of a formula, and bytes between it and the display that it is said of.
+const MOST_IN_FRONT: usize = 15;
+const FARTHEST_DISPLAY: usize = 400;
+
 /// Words and signs between two such formulas.
 const BETWEEN: [&str; 5] = ["and", ",", ", and", ", where", "and where"];
 
@@ -366,23 +391,77 @@ pub(super) fn is_plain_behind(behind: &str) -> bool {
         .flat_map(|text| text.split(|c: char| !c.is_alphabetic()));
     let mut words = words.filter(|word| !word.is_empty()).map(str::to_lowercase).peekable();
     let is_short = words.clone().count() <= MOST_WORDS;
-    let begins_well = words
-        .peek()
-        .is_none_or(|word| ["and", "is", "are", "where", "with", "then", "we", "the"].contains(&word.as_str()));
+    let begins_well = words.peek().is_none_or(|word| BEHIND_IT.contains(&word.as_str()));
     is_short && begins_well && !words.any(|word| BUT.contains(&word.as_str()))
 }
+
+/// The first words of the rest of a sentence that takes nothing back.
+const BEHIND_IT: [&str; 18] = [
+    "and",
+    "are",
+    "be",
+    "denote",
+    "hence",
+    "in",
+    "into",
+    "is",
+    "it",
+    "so",
+    "the",
+    "then",
+    "therefore",
+    "this",
+    "thus",
+    "we",
+    "where",
+    "with",
+];
 
 /// The most words in the rest of a sentence.
 const MOST_WORDS: usize = 25;
 
-/// Returns whether what words in front of a formula announce is said of the display before; nothing where they announce nothing.
-/// `since` is the text since the last display, if any, and `between` that since the formula before that was announced, with
-/// whether that was said of the display before.
-pub(super) fn announced(before: &str, since: Option<&str>, between: Option<(&str, bool)>) -> Option<bool> {
-    if let Some((between, is_behind)) = between
+/// Returns where the display ends that a sentence leads to, at a place of which something is said of it.
+pub(super) fn next_display(text: &str, at: usize) -> Option<usize> {
+    let signs = [
+        (r"\begin{equation", r"\end{"),
+        (r"\begin{align", r"\end{"),
+        (r"\begin{gather", r"\end{"),
+        (r"\[", r"\]"),
+        ("$$", "$$"),
+    ];
+    let behind = text.get(at..)?;
+    let found = signs
+        .iter()
+        .filter_map(|(open, close)| Some((behind.find(open)?, *open, *close)));
+    let (start, open, close) = found.min()?;
+    let inside = start + open.len();
+    let end = inside + behind.get(inside..)?.find(close)?;
+    (start <= FARTHEST_DISPLAY).then_some(at + end + close.len())
+}
+
+/// What words in front of a formula announce.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Announced {
+    /// That it holds of the display before.
+    Behind,
+    /// That it holds from here on.
+    FromHere,
+    /// That it holds of the next display.
+    Next,
+}
+
+/// Returns what words in front of a formula announce, if anything. `since` is the text since the last display, if any, `between`
+/// that since the formula before that was announced, with what was announced of that, and `behind` the text behind the formula.
+pub(super) fn announced(
+    before: &str,
+    since: Option<&str>,
+    between: Option<(&str, Announced)>,
+    behind: &str,
+) -> Option<Announced> {
+    if let Some((between, announced)) = between
         && BETWEEN.contains(&between.split_whitespace().collect::<Vec<_>>().join(" ").as_str())
     {
-        return Some(is_behind);
+        return Some(announced);
     }
     let paragraph = before.rsplit("\n\n").next().unwrap_or_default();
     if ELSEWHERE.iter().any(|place| paragraph.contains(place)) {
@@ -404,7 +483,7 @@ pub(super) fn announced(before: &str, since: Option<&str>, between: Option<(&str
         BEHIND.contains(&rest.as_str())
     };
     if since.is_some_and(is_behind) {
-        return Some(true);
+        return Some(Announced::Behind);
     }
     let start = paragraph.rfind(['.', ':', '}', ']', '$']).map_or(0, |at| at + 1);
     let lead: Vec<String> = paragraph
@@ -420,8 +499,60 @@ pub(super) fn announced(before: &str, since: Option<&str>, between: Option<(&str
         .trim_end()
         .ends_with(ends_sentence)
         || start == 0;
-    (is_first && IN_FRONT.contains(&lead.join(" ").as_str())).then_some(false)
+    if is_first && IN_FRONT.contains(&lead.join(" ").as_str()) {
+        return Some(Announced::FromHere);
+    }
+    // what stands between dollars is looked at by itself
+    let sentence = paragraph
+        .split('$')
+        .step_by(2)
+        .collect::<Vec<_>>()
+        .join(" ")
+        .to_lowercase();
+    let sentence = [". ", ".\n", ": ", "]", "}"]
+        .iter()
+        .fold(sentence.as_str(), |rest, end| rest.rsplit(end).next().unwrap_or(rest));
+    let words: Vec<&str> = sentence
+        .split(|c: char| !c.is_alphabetic())
+        .filter(|word| !word.is_empty())
+        .collect();
+    if words.len() > MOST_IN_FRONT || words.iter().any(|word| BUT.contains(word) || SUPPOSING.contains(word)) {
+        return None;
+    }
+    let ends_with = |ends: &[&str]| ends.iter().any(|end| sentence.trim_end().ends_with(end));
+    let begins = |many: usize| {
+        words
+            .get(..many)
+            .is_some_and(|lead| IN_FRONT.contains(&lead.join(" ").as_str()))
+    };
+    if ends_with(&ONE_MORE) && (1..=2).any(begins) {
+        return Some(Announced::FromHere);
+    }
+    let leads = words.last().is_some_and(|word| LEADING.contains(word)) && !sentence.trim_end().ends_with(',');
+    let goes_on = TO_NEXT.iter().any(|next| behind.trim_start().starts_with(next));
+    (leads || goes_on).then_some(Announced::Next)
 }
+
+/// Words of a sentence that says what is so in a case, or what is asked for.
+const SUPPOSING: [&str; 17] = [
+    "suppose",
+    "assume",
+    "assuming",
+    "condition",
+    "conditions",
+    "find",
+    "show",
+    "prove",
+    "want",
+    "would",
+    "were",
+    "until",
+    "might",
+    "should",
+    "tempting",
+    "claim",
+    "seems",
+];
 
 #[cfg(test)]
 mod tests {
@@ -450,8 +581,11 @@ mod tests {
 
     #[test]
     fn what_words_announce_is_told_from_cases() {
-        assert_eq!(announced("", Some(",\n\\end{equation}\nwhere "), None), Some(true));
-        assert_eq!(announced("", Some(" \\] where "), None), Some(true));
+        assert_eq!(
+            announced("", Some(",\n\\end{equation}\nwhere "), None, ""),
+            Some(Announced::Behind)
+        );
+        assert_eq!(announced("", Some(" \\] where "), None, ""), Some(Announced::Behind));
         for text in [
             "Let ",
             "This holds. Let ",
@@ -459,8 +593,24 @@ mod tests {
             "Recall that ",
             "\n\nSet ",
         ] {
-            assert_eq!(announced(text, None, None), Some(false), "{text}");
+            assert_eq!(announced(text, None, None, ""), Some(Announced::FromHere), "{text}");
         }
+        for text in [
+            "Let $m$ be the mass and ",
+            "Let $m > 0$ and ",
+            "Define $a$ by $a > b$, where ",
+        ] {
+            assert_eq!(announced(text, None, None, ""), Some(Announced::FromHere), "{text}");
+        }
+        for text in [
+            "because ",
+            "All is well. Using ",
+            "By the law of $x$, substituting ",
+            "With ",
+        ] {
+            assert_eq!(announced(text, None, None, ""), Some(Announced::Next), "{text}");
+        }
+        assert_eq!(announced("We have ", None, None, ", so"), Some(Announced::Next));
         for text in [
             "if",
             "when",
@@ -473,19 +623,26 @@ mod tests {
             "We do not set",
             "the maximum where",
             "It is tempting to set",
-            "because",
+            "We have",
+            "Show that with",
+            "Let $m$ be the mass for",
+            "Suppose that $m$ is the mass and",
             "One might think that since",
             "Should we set",
             "The solution set",
             r"\footnote{Let ",
             "Do not let",
         ] {
-            assert_eq!(announced(text, None, None), None, "{text}");
-            assert_eq!(announced(text, Some(text), None), None, "{text}");
+            assert_eq!(announced(text, None, None, ""), None, "{text}");
+            assert_eq!(announced(text, Some(text), None, ""), None, "{text}");
         }
-        assert_eq!(announced("where $a = b$ and", None, Some(("  and ", true))), Some(true));
+        let between = |text| Some((text, Announced::Behind));
         assert_eq!(
-            announced("where $a = b$ and this is", None, Some((" and this is ", true))),
+            announced("where $a = b$ and", None, between("  and "), ""),
+            Some(Announced::Behind)
+        );
+        assert_eq!(
+            announced("where $a = b$ and this is", None, between(" and this is "), ""),
             None
         );
         for text in [

@@ -46,24 +46,41 @@ const OF_ALTERNATIVES: [&str; 11] = [
     "respectively",
 ];
 
-/// Words in a sentence whose display need not hold: it is asked for, or a condition.
-const OF_CONDITIONS: [&str; 16] = [
+/// Words in a sentence whose display need not hold: it is asked for, a condition, wrong, or holds of what is equal or nearly so.
+const OF_CONDITIONS: [&str; 33] = [
+    "approximately",
     "assume",
     "assuming",
+    "binary",
+    "coincide",
     "condition",
     "conditions",
+    "equilateral",
+    "error",
     "find",
+    "hexadecimal",
+    "identical",
     "if",
+    "incorrect",
+    "isosceles",
     "let",
+    "mistake",
+    "nearly",
     "need",
     "provided",
+    "replace",
     "require",
+    "rounded",
+    "rounding",
+    "roughly",
     "set",
     "solve",
     "suppose",
+    "tempting",
     "unless",
     "want",
     "when",
+    "wrong",
 ];
 
 /// The formulas that the text in front of a display names, and what it says of the display.
@@ -93,8 +110,17 @@ impl Cited {
                 .any(|own| words.iter().any(|word| own.eq_ignore_ascii_case(word)))
         };
         let has_alternatives = has_any(last, &OF_ALTERNATIVES);
-        let sentence = last.rsplit(". ").next().unwrap_or_default();
-        let is_condition = has_any(sentence, &OF_CONDITIONS);
+        // what we find is derived
+        let sentence = last.rsplit(". ").next().unwrap_or_default().replace("we find", "");
+        let front = last.trim_end().trim_end_matches("$$").trim_end_matches(r"\[");
+        let front = match front.rsplit_once(r"\begin{") {
+            Some((front, name)) if name.ends_with('}') => front,
+            _ => front,
+        };
+        let is_over = front.trim_end().ends_with('.');
+        let is_condition = OF_CONDITIONS
+            .iter()
+            .any(|word| has_any(&sentence, &[*word]) && !(is_over && *word == "let"));
         let is_against = has_any(last, &AGAINST);
         let begins_small = behind_environment(&between).starts_with(|c: char| c.is_lowercase());
         Self {

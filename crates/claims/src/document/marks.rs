@@ -189,7 +189,13 @@ fn is_typographic(name: &Name) -> bool {
 
 /// Returns true for a letter with a hat, of an estimate more often than of an operator.
 fn has_hat_alone(name: &Name) -> bool {
-    has_accent(name, &[r"\hat", r"\widehat"]) && !is_set_apart(name) && name.accents.len() == 1
+    has_accent(name, &[r"\hat", r"\widehat"])
+        && !is_set_apart(name)
+        && name.accents.len() == 1
+        && name
+            .base
+            .trim_start_matches('\\')
+            .starts_with(|c: char| c.is_ascii_lowercase())
 }
 
 /// Returns true for a small Greek letter.
@@ -421,7 +427,10 @@ impl Marks {
         marks.operators.append(&mut multiplied);
         marks.numbers = numbers
             .into_iter()
-            .filter(|name| !is_typographic(name) || (has_hat_alone(name) && factors.divisors.contains(name)))
+            .filter(|name| {
+                let is_estimate = has_hat_alone(name) && commutators.is_empty() && !members.speaks_of_operators;
+                !is_typographic(name) || (is_estimate && factors.divisors.contains(name))
+            })
             // who says that it is a matrix divides by another letter of the name
             .filter(|name| {
                 let is_matrix = name.accents.is_empty() && members.matrices.contains(&name.base);

@@ -17,6 +17,8 @@ pub(super) struct Members {
     pub t_is_letter: bool,
     /// True if the text speaks of vectors, matrices or their transposes.
     pub has_vectors: bool,
+    /// True if the text speaks of operators.
+    pub speaks_of_operators: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
     pub i_is_other: bool,
     /// The equations within the text, but for those of a letter and a number, each with its letters.
@@ -123,6 +125,18 @@ const OF_VECTORS: [&str; 9] = [
     r"\boldsymbol",
 ];
 
+/// Words of texts in which a product of letters may be less than it looks.
+const OF_LESS: [&str; 8] = [
+    "idempotent",
+    "nilpotent",
+    "odulo",
+    "projector",
+    "indicator function",
+    "zero or one",
+    "binary variable",
+    "Boolean",
+];
+
 /// Words for matrices and nothing else.
 const MATRICES: [&str; 2] = ["matrix", "matrices"];
 
@@ -223,17 +237,17 @@ impl Members {
             let is_command = side.starts_with('\\') && side.chars().skip(1).all(|c| c.is_ascii_alphabetic());
             side.len() > 1 && !is_command && !side.starts_with(|c: char| c.is_ascii_digit())
         };
-        let says = inline
-            .iter()
-            .filter(|formula| formula.contains('=') && formula.split('=').any(is_more));
+        let is_letter = |side: &str| side.trim().starts_with(|c: char| c.is_ascii_alphabetic() || c == '\\');
+        let says = inline.iter().filter(|formula| {
+            formula.contains('=') && (formula.split('=').any(is_more) || formula.split('=').all(is_letter))
+        });
         members.said = says
             .map(|formula| (letters(formula).collect(), formula.clone()))
             .collect();
+        members.speaks_of_operators = text.contains("perator");
         members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
-        members.says_more = ["idempotent", "nilpotent", "odulo"]
-            .iter()
-            .any(|word| text.contains(word));
+        members.says_more = OF_LESS.iter().any(|word| text.contains(word));
         members.says_transposed = text.contains("ranspose");
         members.says_complex = OF_COMPLEX_NUMBERS.iter().any(|words| text.contains(words));
         for formula in &inline {

@@ -1,7 +1,7 @@
 //! A document from its beginning to its end: its displays, its comments, its macros, the files that it includes.
 
 use super::super::fault::File;
-use super::asides;
+use super::asides::{self, Announced};
 use super::comment::{is_misspelt, is_of_document};
 use super::fonts;
 use super::macros::{DEFINING, Macros};
@@ -75,8 +75,8 @@ pub(super) struct Formula {
 #[derive(Clone, Debug)]
 pub(super) struct Aside {
     pub formula: Formula,
-    /// True if it is said of the display before it.
-    pub is_behind: bool,
+    /// What it is said of.
+    pub announced: Announced,
     pub after: usize,
 }
 
@@ -647,21 +647,25 @@ impl<'a> Scan<'a> {
             return;
         }
         let last = self.asides.last();
-        let between = last.map(|last| (text(last.formula.part.end + 1..here), last.is_behind));
+        let between = last.map(|last| (text(last.formula.part.end + 1..here), last.announced));
         let since = self.formulas.last().map(|last| text(last.part.end..here));
         let behind = self.text.get(body.end + 1..).unwrap_or_default();
         let far = behind.char_indices().nth(FARTHEST).map_or(behind.len(), |(far, _)| far);
         let behind = behind.get(..far).unwrap_or_default();
-        let Some(is_behind) =
-            asides::announced(text(0..here), since, between).filter(|_| asides::is_plain_behind(behind))
-        else {
+        let announced = asides::announced(text(0..here), since, between, behind);
+        let Some(announced) = announced.filter(|_| asides::is_plain_behind(behind)) else {
             return;
         };
+        let until = match announced {
+            Announced::Next => asides::next_display(&self.text, body.end + 1),
+            _ => Some(asides::scope_end(&self.text, here)),
+        };
+        let Some(until) = until else { return };
         // of the display before, where nothing but this sentence stands between
         let display = self
             .formulas
             .last()
-            .filter(|last| is_behind && !has_empty_line(text(last.part.end..here)));
+            .filter(|last| announced == Announced::Behind && !has_empty_line(text(last.part.end..here)));
         let after = display.map_or(self.formulas.len(), |last| last.first);
         let Ok(tex) = self.macros.expanded(tex) else { return };
         self.asides.push(Aside {
@@ -677,9 +681,9 @@ impl<'a> Scan<'a> {
                 comments: Vec::new(),
                 is_of_display: false,
                 is_aside: true,
-                until: asides::scope_end(&self.text, here),
+                until,
             },
-            is_behind,
+            announced,
             after,
         });
     }
