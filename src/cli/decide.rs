@@ -147,12 +147,21 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
     let entry = sheet.entries.get(position);
     let repairs = match decision.verdict {
         Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
-        _ if entry.is_some_and(|entry| may_be_misprinted(entry, &decision)) => {
-            // the premises are a guess: without them another repair may be proved
-            let by_itself = sheet.resting_on_nothing(position);
+        Verdict::Undecided | Verdict::Given => {
+            // the premises are a guess: where numbers speak against the formula with them, it may fail and be mended without them
+            let differs = evidence.as_ref().is_some_and(|evidence| evidence.differs);
+            let by_itself = (decision.fails || differs).then(|| sheet.resting_on_nothing(position));
+            let by_itself = by_itself.flatten();
+            let own = match (&by_itself, decision.fails) {
+                (Some(sheet), false) => prove::decide(sheet, position, options),
+                _ => decision.clone(),
+            };
             let mut sheets = std::iter::once(sheet).chain(&by_itself);
-            let found = sheets.find_map(|sheet| misprints(sheet, position, repairs(sheet, position, options), options));
+            let find = |sheet: &Sheet| misprints(sheet, position, repairs(sheet, position, options), options);
+            let is_accused = entry.is_some_and(|entry| may_be_misprinted(entry, &own));
+            let found = is_accused.then(|| sheets.find_map(find)).flatten();
             if found.is_some() {
+                decision = own;
                 decision.suspect();
             }
             found

@@ -2280,6 +2280,14 @@ fn what_holds_by_itself_is_proved_whatever_stands_before_it() {
 }
 
 #[test]
+fn a_slip_is_found_whatever_stands_before_it() {
+    // of a letter with marks that nothing shows to be needed
+    let text = r"The matrix $P$ is real, \[ P = Q^\top + a. \] \[ P = a + Q. \] \begin{align*} V &= \frac{(m a)^2}{2 m} - P - \frac{1}{2} m a^2 \\ &= P \end{align*}";
+    let ran = audited(&format!("% a note\n{text}\n"));
+    assert!(ran.stdout.contains(",suspect,"), "{}", ran.stdout);
+}
+
+#[test]
 fn what_gives_a_function_is_not_proved_by_itself() {
     let text = r"\[ F(x) = P(X \leq x) \quad \forall x \in \mathbb{R} \] \[ F(x) = \sum_{x_i \leq x} p(x_i) \] so \[ F(x) = \begin{cases} 0 & x < 0 \\ 1 & x \geq 0 \end{cases} \]";
     let ran = audited(&format!("% a note\n{text}\n"));

@@ -22,16 +22,26 @@ use toml::Spanned;
 /// What to do where one name has two meanings.
 pub(super) const RENAME: &str = "give one of them another name";
 
-/// Returns true if a name stands in an equation once.
-fn has_name_once(equation: &Equation) -> bool {
-    let mut count: HashMap<Name, usize> = HashMap::new();
-    any_side(equation, &mut |node| {
-        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
-            *count.entry(name.clone()).or_default() += 1;
-        }
-        false
-    });
-    count.values().any(|count| *count == 1)
+/// Returns true if a side of an equation is a name, or a call or a product that begins with one, that stands nowhere else in it.
+fn may_give_a_name(equation: &Equation) -> bool {
+    let first = |side: &Tree| match side {
+        Tree::Symbol(name, _) | Tree::Call(name, ..) => Some(name.clone()),
+        Tree::Product(factors) => match factors.first() {
+            Some(Tree::Symbol(name, _)) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_once = |given: &Name| {
+        let mut count = 0;
+        any_side(equation, &mut |node| {
+            count += usize::from(matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if name == given));
+            false
+        });
+        count == 1
+    };
+    let sides = [&equation.left, &equation.right];
+    sides.into_iter().filter_map(first).any(|name| is_once(&name))
 }
 
 /// What is guessed of a formula of a document, before the labels that it is taken to follow from.
@@ -292,11 +302,11 @@ impl Sheet {
     }
 
     /// Returns a sheet in which the claim at a position of a document follows from nothing, where it was taken to follow from
-    /// something; nothing where a name stands in an equation once, which may say what it is.
+    /// something; nothing where it may say what a name is.
     pub fn resting_on_nothing(&self, position: usize) -> Option<Self> {
         let is_guess = |entry: &&Entry| entry.standing != Standing::Said && !entry.follows_from.is_empty();
         let claim = self.entries.get(position).filter(is_guess)?;
-        if claim.equations.iter().any(has_name_once) {
+        if claim.equations.iter().any(may_give_a_name) {
             return None;
         }
         let names = names_of(&claim.equations);
@@ -309,9 +319,19 @@ impl Sheet {
             .doubts
             .retain(|doubt| !matches!(doubt.kind, DoubtKind::SecondValue(_)));
         // what was defined is any number
-        for name in names.into_iter().filter(|name| !self.symbols.knows(name)) {
-            symbols.declare(name, Meaning::Parameter);
+        let unknown: Vec<Name> = names.into_iter().filter(|name| !self.symbols.knows(name)).collect();
+        for name in &unknown {
+            symbols.declare(name.clone(), Meaning::Parameter);
         }
+        let mut raw = (*self.raw).clone();
+        let own = raw.equation.get_mut(self.printed_with(position)?.0)?;
+        own.follows_from = Some(Vec::new());
+        own.second_values.clear();
+        if let Some(symbols) = &mut raw.symbols {
+            let parameters = &mut symbols.get_mut().parameters;
+            parameters.extend(unknown.iter().map(ToString::to_string));
+        }
+        sheet.raw = Arc::new(raw);
         Some(sheet)
     }
 

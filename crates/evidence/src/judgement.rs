@@ -33,6 +33,8 @@ pub struct Evidence {
     pub worst: String,
     /// What contradicts the verdict.
     pub against: Option<String>,
+    /// True if the sides of an undecided claim differ at a point at which all premises hold.
+    pub differs: bool,
     /// How the derivatives compare with the maps of the device, where points are of its motion.
     pub flown: Option<Flown>,
     pub notes: Vec<String>,
@@ -319,7 +321,9 @@ impl Witness<'_> {
             _ => {
                 let confirmed = self.worst_first(&search.found).into_iter().take(3);
                 let mut confirmed = confirmed.filter(|(point, _)| self.differs::<N>(point) == Some(true));
-                evidence.notes.push(match confirmed.next() {
+                let confirmed = confirmed.next();
+                evidence.differs = confirmed.is_some();
+                evidence.notes.push(match confirmed {
                     Some((point, gap)) => format!("fails at a random point: {}", show::<N>(&self.system, point, gap)),
                     None => "the points do not tell".to_string(),
                 });
@@ -524,6 +528,7 @@ impl Witness<'_> {
             residual: residuals.reduce(f64::max),
             worst: worst.unwrap_or_default(),
             against: None,
+            differs: false,
             notes: flown.iter().map(ToString::to_string).collect(),
             flown,
         }
