@@ -2281,8 +2281,8 @@ fn what_holds_by_itself_is_proved_whatever_stands_before_it() {
 
 #[test]
 fn a_slip_is_found_whatever_stands_before_it() {
-    // of a letter with marks that nothing shows to be needed
-    let text = r"The matrix $P$ is real, \[ P = Q^\top + a. \] \[ P = a + Q. \] \begin{align*} V &= \frac{(m a)^2}{2 m} - P - \frac{1}{2} m a^2 \\ &= P \end{align*}";
+    // of letters with marks, and with a second value
+    let text = r"\[ P = Q^\top Q \] \[ P = a Q \] \begin{align*} V &= \frac{(m a)^2}{2 m} - P - \frac{1}{2} m a^2 \\ &= P \end{align*}";
     let ran = audited(&format!("% a note\n{text}\n"));
     assert!(ran.stdout.contains(",suspect,"), "{}", ran.stdout);
 }

@@ -1,8 +1,9 @@
 //! Terms that are linear in what stands in them: sums over an index of which no ends are printed, `\sum_i x_i`, and means,
 //! `\mathbb{E}[X]`.
 
+use std::collections::BTreeSet;
 use texmath::{
-    At, BOLD, Name, Names, Opaque, Operation, Series, Tree, any, is_opaque, letters, read_expression, read_name,
+    At, BOLD, Name, Names, Opaque, Operation, Series, Tree, any, is_opaque, names_in, read_expression, read_name,
 };
 
 /// A mean, and what it is of.
@@ -47,9 +48,16 @@ fn names() -> Names {
 
 /// Returns the letters in a sum or a mean that is a symbol, without accents.
 pub(super) fn letters_in(name: &Name) -> Vec<String> {
-    let is_linear = is_opaque(name) && (sum(&name.base, At::default()).is_some() || mean(&name.base).is_some());
-    let printed = is_linear.then(|| letters(&name.base, &Names::default()));
-    printed.into_iter().flatten().map(|(letter, _)| letter).collect()
+    let within = || sum(&name.base, At::default()).or_else(|| mean(&name.base).map(|mean| mean.of));
+    let mut names = BTreeSet::new();
+    if let Some(within) = is_opaque(name).then(within).flatten() {
+        names_in(&within, &mut names);
+    }
+    let letters = |name: Name| match letters_in(&name) {
+        inner if inner.is_empty() => vec![name.base],
+        inner => inner,
+    };
+    names.into_iter().flat_map(letters).collect()
 }
 
 /// Returns a tree with the sums that are symbols in it as sums over their indices, from what is printed below the sign to nobody says
@@ -182,8 +190,8 @@ mod tests {
     #[test]
     fn letters_stand_in_them() {
         let within = |base: &str| letters_in(&Name::plain(base));
-        assert_eq!(within(r"\sum_ia_iAB"), ["i", "a", "i", "A", "B"]);
-        assert_eq!(within(r"\mathbb{E}[aX]"), ["a", "X"]);
+        assert_eq!(within(r"\sum_ia_iAB"), ["A", "B", "a", "over i"]);
+        assert_eq!(within(r"\mathbb{E}[aX]"), ["X", "a"]);
         assert!(within("a").is_empty());
     }
 

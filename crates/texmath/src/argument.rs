@@ -400,7 +400,6 @@ mod tests {
             (r"\sin\frac{x}{2} y", r"\sin(\frac{x}{2}) y or as"),
             (r"\cos\frac{n\pi}{2}x", r"or as \cos(\frac{n \pi}{2} x)"),
             (r"\sin x \frac{a}{b}", r"\sin(x) \frac{a}{b} or as"),
-            (r"\sin x \sqrt{y}", r"\sin(x) \sqrt{y} or as"),
             (r"\sin 2 \frac{x}{3}", r"\sin(2) \frac{x}{3} or as"),
             (r"\ln|x| y", r"or as \ln("),
             (r"\sin f x", r"\sin(f) x or as"),
