@@ -2371,6 +2371,12 @@ fn sums_and_means_are_linear() {
         (r"\mathbb{E}[x Y | z] = x \mathbb{E}[Y | z]", false),
         (r"\mathbb{E}[X^2] = \mathbb{E}[X]^2", false),
         (r"\mathbb{E}[a x + b] = a x + b", false),
+        (r"\mathbb{E}[X \mathbb{E}[Y]] = \mathbb{E}[Y] \mathbb{E}[X]", true),
+        (
+            r"\mathbb{E}[X \mathbb{E}[Y | Z]] = \mathbb{E}[Y | Z] \mathbb{E}[X]",
+            false,
+        ),
+        (r"\mathbb{E}[X \mathbb{E}_t[Y]] = \mathbb{E}_t[Y] \mathbb{E}[X]", false),
         (r"\mathbb{E}[x y] = x \mathbb{E}[y]", false),
         (r"\mathbb{E}[a_I X_I] = a_I \mathbb{E}[X_I]", false),
         (

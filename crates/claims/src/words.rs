@@ -604,7 +604,9 @@ impl<'a> Reader<'a> {
         let taken = spoken.filter(|name| has_random && known.contains(*name));
         let taken: Vec<String> = taken.map(|name| format!("${name}$ is constant")).collect();
         self.provided.extend(taken);
-        let range = format!("{MEAN}{}", mean.sign);
+        // a mean under a condition is random itself
+        let kind = if mean.is_conditional { "conditional " } else { "" };
+        let range = format!("{kind}{MEAN}{}", mean.sign);
         let token = self.token();
         Some(
             self.drawn_out(&body, &is_free, |_, inner| match *inner == Word::default() {

@@ -121,6 +121,7 @@ impl Cited {
         let is_condition = OF_CONDITIONS
             .iter()
             .any(|word| has_any(&sentence, &[*word]) && !(is_over && *word == "let"));
+        let is_condition = is_condition || says_equal(last);
         let is_against = has_any(last, &AGAINST);
         let begins_small = behind_environment(&between).starts_with(|c: char| c.is_lowercase());
         Self {
@@ -130,6 +131,21 @@ impl Cited {
             is_condition,
         }
     }
+}
+
+/// Returns true if a text says within dollars that two letters are equal, `$m = M$`.
+fn says_equal(text: &str) -> bool {
+    let is_letter = |side: &str| {
+        let letter = side.trim().trim_start_matches('\\');
+        let is_name = letter.len() < side.trim().len() || letter.len() == 1;
+        is_name && letter.starts_with(|c: char| c.is_ascii_alphabetic()) && letter.chars().all(char::is_alphanumeric)
+    };
+    let mut formulas = text.split('$').skip(1).step_by(2);
+    formulas.any(|formula| {
+        formula
+            .split_once('=')
+            .is_some_and(|(one, other)| is_letter(one) && is_letter(other))
+    })
 }
 
 /// The text between two displays, without the end of the first.
@@ -204,6 +220,8 @@ mod tests {
     fn a_display_may_be_a_condition() {
         assert!(cited("We know $x$. Now solve\n\n").is_condition && cited("if and only if\n").is_condition);
         assert!(!cited("If $x$ is 1, all is well. Hence\n\n").is_condition);
+        assert!(cited("The masses are equal, $m = M$. Hence\n").is_condition);
+        assert!(!cited("With $m = 2 M$ and $v = g t$ we find\n").is_condition);
     }
 
     #[test]

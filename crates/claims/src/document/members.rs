@@ -237,10 +237,9 @@ impl Members {
             let is_command = side.starts_with('\\') && side.chars().skip(1).all(|c| c.is_ascii_alphabetic());
             side.len() > 1 && !is_command && !side.starts_with(|c: char| c.is_ascii_digit())
         };
-        let is_letter = |side: &str| side.trim().starts_with(|c: char| c.is_ascii_alphabetic() || c == '\\');
-        let says = inline.iter().filter(|formula| {
-            formula.contains('=') && (formula.split('=').any(is_more) || formula.split('=').all(is_letter))
-        });
+        let says = inline
+            .iter()
+            .filter(|formula| formula.contains('=') && formula.split('=').any(is_more));
         members.said = says
             .map(|formula| (letters(formula).collect(), formula.clone()))
             .collect();
