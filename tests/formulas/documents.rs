@@ -2288,6 +2288,38 @@ fn a_slip_is_found_whatever_stands_before_it() {
 }
 
 #[test]
+fn the_imaginary_unit_is_what_words_and_use_say() {
+    for (text, is_proved) in [
+        (
+            r"Here $i$ is the imaginary unit. \begin{align*} Z &= (1 + i w) (1 - i w) \\ &= 1 + w^2 \end{align*}",
+            true,
+        ),
+        (
+            r"\begin{align*} Z &= (1 + i w) (1 - i w) \\ &= 1 + w^2 \end{align*}",
+            false,
+        ),
+        (
+            r"\[ Y = j \omega C \] \begin{align*} Z &= (R + j \omega L) (R - j \omega L) \\ &= R^2 + \omega^2 L^2 \end{align*}",
+            true,
+        ),
+        // a current
+        (
+            r"\[ Y = j \omega C i \] \begin{align*} Z &= (R + j \omega L) (R - j \omega L) \\ &= R^2 + \omega^2 L^2 \end{align*}",
+            false,
+        ),
+        // an index
+        (
+            r"\[ Y_j = j \omega \] \begin{align*} Z &= (R + j \omega L) (R - j \omega L) \\ &= R^2 + \omega^2 L^2 \end{align*}",
+            false,
+        ),
+    ] {
+        let ran = audited(&format!("% a note\n{text}\n"));
+        let last = ran.stdout.lines().last().unwrap_or_default();
+        assert_eq!(last.contains(",proved,"), is_proved, "{text}: {}", ran.stdout);
+    }
+}
+
+#[test]
 fn what_gives_a_function_is_not_proved_by_itself() {
     let text = r"\[ F(x) = P(X \leq x) \quad \forall x \in \mathbb{R} \] \[ F(x) = \sum_{x_i \leq x} p(x_i) \] so \[ F(x) = \begin{cases} 0 & x < 0 \\ 1 & x \geq 0 \end{cases} \]";
     let ran = audited(&format!("% a note\n{text}\n"));
@@ -2391,6 +2423,15 @@ fn sums_and_means_are_linear() {
         let last = ran.stdout.lines().last().unwrap_or_default();
         assert_eq!(last.contains(",proved,"), is_proved, "{text}: {}", ran.stdout);
     }
+    // thousands of sums within each other are one symbol
+    let sums = |of: &str| format!("{}{of}", r"\sum_i ".repeat(3_000));
+    let text = format!(
+        "\\begin{{align*}} V &= {} \\\\ &= {} \\end{{align*}}",
+        sums("a_i"),
+        sums("b_i")
+    );
+    let ran = audited(&format!("% a note\n{text}\n"));
+    assert!(ran.stdout.contains(",undecided,"), "{}", ran.stderr);
     // letters of matrices do not change places within a sum
     let text = r"Let $A$ and $B$ be matrices. \begin{align*} V &= \sum_i a_i A B \\ &= \sum_i a_i B A \end{align*}";
     let ran = audited(&format!("% a note\n{text}\n"));

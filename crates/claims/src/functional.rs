@@ -77,13 +77,20 @@ pub(super) fn has_sums(tree: &Tree) -> bool {
     )
 }
 
-/// Returns true if what stands in a term may be more than numbers by how it is printed.
-fn prints_operators(term: &str) -> bool {
-    BOLD.iter().chain(&OF_OPERATORS).any(|sign| term.contains(sign))
+/// The most sums and means within a term, and its most bytes: each is read anew within the one around it.
+const MOST_SIGNS: usize = 12;
+const LONGEST: usize = 2_000;
+
+/// Returns true if a term is not looked into: one that is long, and one in which something may be more than a number by how it is
+/// printed.
+fn is_left_alone(term: &str) -> bool {
+    let signs = ["\\sum"].iter().chain(&MEANS).map(|sign| term.matches(sign).count());
+    let may_be_operators = || BOLD.iter().chain(&OF_OPERATORS).any(|sign| term.contains(sign));
+    term.len() > LONGEST || signs.sum::<usize>() > MOST_SIGNS || may_be_operators()
 }
 
 fn sum(term: &str, at: At) -> Option<Tree> {
-    if prints_operators(term) {
+    if is_left_alone(term) {
         return None;
     }
     let (below, body) = script(term.strip_prefix(r"\sum_")?)?;
@@ -102,7 +109,7 @@ fn sum(term: &str, at: At) -> Option<Tree> {
 
 /// Returns the mean that a symbol is which is a whole term.
 pub(super) fn mean(term: &str) -> Option<Mean> {
-    if prints_operators(term) {
+    if is_left_alone(term) {
         return None;
     }
     let names = names();

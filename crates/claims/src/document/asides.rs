@@ -423,20 +423,22 @@ const MOST_WORDS: usize = 25;
 /// Returns where the display ends that a sentence leads to, at a place of which something is said of it.
 pub(super) fn next_display(text: &str, at: usize) -> Option<usize> {
     let signs = [
-        (r"\begin{equation", r"\end{"),
-        (r"\begin{align", r"\end{"),
-        (r"\begin{gather", r"\end{"),
+        (r"\begin{equation", r"\end{equation"),
+        (r"\begin{align", r"\end{align"),
+        (r"\begin{gather", r"\end{gather"),
         (r"\[", r"\]"),
         ("$$", "$$"),
     ];
     let behind = text.get(at..)?;
+    let far = (FARTHEST_DISPLAY..behind.len()).find(|far| behind.is_char_boundary(*far));
+    let near = behind.get(..far.unwrap_or(behind.len()))?;
     let found = signs
         .iter()
-        .filter_map(|(open, close)| Some((behind.find(open)?, *open, *close)));
+        .filter_map(|(open, close)| Some((near.find(open)?, *open, *close)));
     let (start, open, close) = found.min()?;
     let inside = start + open.len();
     let end = inside + behind.get(inside..)?.find(close)?;
-    (start <= FARTHEST_DISPLAY).then_some(at + end + close.len())
+    Some(at + end + close.len())
 }
 
 /// What words in front of a formula announce.

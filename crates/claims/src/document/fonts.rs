@@ -1,6 +1,7 @@
 //! The parts of a formula that are a matter of print: bold by LaTeX 2.09, the imaginary unit in bold or sans serif, assignments.
 
 use super::macros::Macros;
+use super::members::j_is_unit;
 use super::tex::{BRACES, command, group, words};
 
 /// Fonts other than upright in which authors print the imaginary unit.
@@ -39,7 +40,38 @@ pub(super) fn read_as_meant(text: &str, macros: &Macros, mut all: Vec<&mut Strin
         for tex in all {
             upright(tex, font);
         }
+        return;
     }
+    // engineers call it j, as i is a current
+    let prints_i = || {
+        all.iter()
+            .any(|tex| letters_at(tex, 'i').next().is_some() || tex.contains(r"\mathrm{i}"))
+    };
+    if j_is_unit(all.iter().map(|tex| tex.as_str())) && !prints_i() {
+        for tex in all {
+            let mut plain = tex.replace(r"\mathrm{j}", "j");
+            let places: Vec<usize> = letters_at(&plain, 'j').collect();
+            for at in places.into_iter().rev() {
+                plain.replace_range(at..=at, r"\mathrm{i}");
+            }
+            *tex = plain;
+        }
+    }
+}
+
+/// Returns the places at which a letter stands in a formula, and in no command or word in braces.
+fn letters_at(tex: &str, letter: char) -> impl Iterator<Item = usize> {
+    let is_letter = move |at: usize| {
+        let (front, rest) = (tex.get(..at).unwrap_or_default(), tex.get(at + 1..).unwrap_or_default());
+        let front = front.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let behind = rest.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        let is_alone = front.len() == at && behind.len() == rest.len();
+        let is_word = !is_alone && front.ends_with('{') && behind.starts_with('}');
+        !front.ends_with('\\') && !is_word
+    };
+    tex.match_indices(letter)
+        .map(|(at, _)| at)
+        .filter(move |at| is_letter(*at))
 }
 
 fn defines_unit(tex: &str, font: &str) -> bool {
@@ -125,6 +157,13 @@ mod tests {
         );
         assert_eq!(without_boldmath(r"\boldsymbol{v}"), None);
         assert_eq!(without_boldmath(r"\mbox{\boldmath$v"), None);
+    }
+
+    #[test]
+    fn a_letter_stands_in_no_command_and_no_word() {
+        let at = |tex: &str| letters_at(tex, 'j').collect::<Vec<_>>();
+        assert_eq!(at(r"e^{j\omega t} + 2j"), [3, 17]);
+        assert_eq!(at(r"\jmath \mathrm{major} \Join{adj}"), []);
     }
 
     #[test]

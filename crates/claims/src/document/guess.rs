@@ -668,7 +668,7 @@ impl Guess {
         let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         let mut texts = formulas.iter().filter_map(|formula| formula.tex.as_deref().ok());
         let mut constants = Constants {
-            i: texts.any(prints_unit),
+            i: members.says_unit || texts.any(prints_unit),
             ..Constants::default()
         };
         for equation in read.iter().flatten() {

@@ -17,6 +17,8 @@ pub(super) struct Members {
     pub t_is_letter: bool,
     /// True if the text speaks of vectors, matrices or their transposes.
     pub has_vectors: bool,
+    /// True if the text calls `i` the imaginary unit.
+    pub says_unit: bool,
     /// True if the text speaks of operators.
     pub speaks_of_operators: bool,
     /// True if the text speaks of `I` by itself, and of no identity.
@@ -124,6 +126,9 @@ const OF_VECTORS: [&str; 9] = [
     r"\bm{",
     r"\boldsymbol",
 ];
+
+/// The most bytes between a letter and the words for the imaginary unit.
+const NEAR: usize = 40;
 
 /// Words of texts in which a product of letters may be less than it looks.
 const OF_LESS: [&str; 8] = [
@@ -243,6 +248,13 @@ impl Members {
         members.said = says
             .map(|formula| (letters(formula).collect(), formula.clone()))
             .collect();
+        members.says_unit = text.match_indices("imaginary unit").any(|(at, words)| {
+            let end = at + words.len();
+            let front = (at.saturating_sub(NEAR)..at).find_map(|from| text.get(from..at));
+            let behind = (end..=end + NEAR).rev().find_map(|to| text.get(end..to));
+            let near = [front, behind].map(Option::unwrap_or_default);
+            near.iter().any(|near| near.contains("$i$") || near.contains(r"\(i\)"))
+        });
         members.speaks_of_operators = text.contains("perator");
         members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
