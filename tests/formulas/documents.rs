@@ -2320,6 +2320,13 @@ fn the_imaginary_unit_is_what_words_and_use_say() {
 }
 
 #[test]
+fn a_partial_derivative_of_physics_is_one_symbol() {
+    let text = r"\begin{align*} V &= \pdv{u}{x} + (a + b)^2 \\ &= \pdv{u}{x} + a^2 + 2 a b + b^2 \end{align*}";
+    let ran = audited(&format!("% a note\n{text}\n"));
+    assert!(ran.stdout.contains(",proved,"), "{}", ran.stdout);
+}
+
+#[test]
 fn what_gives_a_function_is_not_proved_by_itself() {
     let text = r"\[ F(x) = P(X \leq x) \quad \forall x \in \mathbb{R} \] \[ F(x) = \sum_{x_i \leq x} p(x_i) \] so \[ F(x) = \begin{cases} 0 & x < 0 \\ 1 & x \geq 0 \end{cases} \]";
     let ran = audited(&format!("% a note\n{text}\n"));

@@ -535,14 +535,32 @@ impl<'a> Writer<'a, '_> {
             return None;
         }
         let next = self.token_end(at);
-        if ![r"\frac", r"\dfrac", r"\tfrac"].contains(&self.slice(at, next)) {
-            return None;
-        }
         let group = |at: usize| {
             let open = self.after_blanks(at, end);
             let close = self.closing.get(open).copied().flatten().filter(|close| *close < end)?;
             Some((open + 1, close))
         };
+        // `\pdv{u}{x}` of physics
+        if self.slice(at, next) == r"\pdv" && self.byte(self.after_blanks(next, end)) == b'{' {
+            let (above, below) = (group(next)?, group(group(next)?.1 + 1)?);
+            let [of, by] = [above, below].map(|(start, close)| self.slice(start, close).trim());
+            let is_name = |(start, close): (usize, usize)| {
+                let start = self.after_spaces(start, close);
+                let name_end = self
+                    .name_end(start, close)
+                    .map(|name| self.scripts_end(name, close, false));
+                name_end.is_some_and(|name_end| self.slice(name_end, close).trim().is_empty())
+            };
+            let is_function = |known: &Name| bare(&known.to_string()) == bare(of);
+            let mut known = self.names.functions.iter().chain(&self.names.defined);
+            let is_open = is_name(above) && is_name(below) && !known.any(is_function);
+            let has_value = opaque.values.iter().any(|value| bare(value) == bare(of));
+            let written = opened(&format!(r"\frac{{\partial {of}}}{{\partial {by}}}"));
+            return (is_open && !has_value).then_some((below.1 + 1, written));
+        }
+        if ![r"\frac", r"\dfrac", r"\tfrac"].contains(&self.slice(at, next)) {
+            return None;
+        }
         let (above, below) = (group(next)?, group(group(next)?.1 + 1)?);
         // the sign, where its power ends, and that
         let sign = |(start, close): (usize, usize)| {
