@@ -664,7 +664,7 @@ fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
     }
 }
 
-/// How the words of an edit begin that swaps the letters of two factors.
+/// The beginning of the words of an edit that swaps the letters of two factors.
 pub const SWAPPED: &str = "the letters of";
 
 /// Returns two factors with the letter of each in the place of that of the other, where this makes other powers of them.

@@ -15,7 +15,7 @@ pub fn slips(printed: &Equation, mended: &Equation, may_lack_terms: bool) -> Opt
     Some(count.between(&printed.left, &mended.left)? + count.between(&printed.right, &mended.right)?)
 }
 
-/// How slips are counted.
+/// A count of slips.
 struct Count<'e> {
     /// The printed equation, where a term may be missing in it.
     printed: Option<&'e Equation>,

@@ -16,7 +16,7 @@ pub(super) struct Mean {
     pub of: Tree,
 }
 
-/// How means are printed.
+/// Signs of means.
 const MEANS: [&str; 4] = [r"\mathbb{E}", r"\mathbb E", r"\operatorname{E}", r"\mathrm{E}"];
 
 /// Signs of vectors, matrices and operators, of which nothing more is known within a term.

@@ -44,7 +44,7 @@ fn may_give_a_name(equation: &Equation) -> bool {
     sides.into_iter().filter_map(first).any(|name| is_once(&name))
 }
 
-/// What is guessed of a formula of a document, before the labels that it is taken to follow from.
+/// The guess that a formula of a document follows from others, before their labels.
 pub(super) const FOLLOWS: &str = "this is a claim that follows from ";
 
 /// A sheet, every formula read that can be.

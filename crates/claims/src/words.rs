@@ -16,7 +16,7 @@ const HIGHEST_POWER: i32 = 12;
 /// Values within values beyond which nothing is put in.
 const DEEPEST: usize = 20;
 
-/// What the names of means begin with that are factors.
+/// The beginning of the names that means have as factors.
 const MEAN: &str = "mean ";
 
 /// Accents of vectors.

@@ -110,7 +110,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     }
 }
 
-/// How the question ends of what letters are that a document marks.
+/// The end of the question what letters are that a document marks.
 const MARKED: &str = ", as the document marks them?";
 
 /// The reason why a formula that cannot be read is given.
@@ -130,12 +130,12 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
     kept
 }
 
-/// What the search finds for a claim.
+/// The result of the search for a claim.
 struct Searched {
     decision: Decision,
     /// The sheet in which the claim follows from nothing, where that is what is decided.
     by_itself: Option<Sheet>,
-    /// What decides the questions that were met, where it is asked for.
+    /// The questions that were met with what decides them, where they are asked for.
     kept: Vec<Decided>,
 }
 

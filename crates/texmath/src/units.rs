@@ -124,7 +124,7 @@ const SYMBOLS: [(&str, &str); 27] = [
 /// The largest power of a unit.
 const LARGEST: i32 = 20;
 
-/// What is said of a unit, `\per\milli` and `\squared`: the power of ten of its prefix, and its own.
+/// The signs around a unit, `\per\milli` and `\squared`: the power of ten of its prefix, and its own.
 #[derive(Clone, Copy, PartialEq)]
 struct Said {
     prefix: i32,

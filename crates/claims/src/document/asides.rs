@@ -441,7 +441,7 @@ pub(super) fn next_display(text: &str, at: usize) -> Option<usize> {
     Some(at + end + close.len())
 }
 
-/// What words in front of a formula announce.
+/// The display of which words in front of a formula announce it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Announced {
     /// That it holds of the display before.

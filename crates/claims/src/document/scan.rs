@@ -75,7 +75,7 @@ pub(super) struct Formula {
 #[derive(Clone, Debug)]
 pub(super) struct Aside {
     pub formula: Formula,
-    /// What it is said of.
+    /// The display that it is said of.
     pub announced: Announced,
     pub after: usize,
 }
