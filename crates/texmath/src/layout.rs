@@ -1030,9 +1030,10 @@ impl<'a> Writer<'a, '_> {
                 let label = label.first().copied().flatten()?;
                 let label = self.slice(label.start, label.end);
                 let own = names(label);
-                // within a document a label names what it stands at, or says what that is; but `= 0` says more
+                // within a document a label names what it stands at, or says what that is, or states an equation, which is kept apart
                 let is_name = own.as_ref().is_some_and(|own| own.len() == 1);
-                if self.names.opaque.is_some() && !is_name && is_description(label) {
+                let is_equation = label.trim().starts_with('=') && label.matches('=').count() == 1;
+                if self.names.opaque.is_some() && (is_equation || !is_name && is_description(label)) {
                     self.is_changed = true;
                     self.write("{", at);
                     self.inside(last?, depth);
@@ -1192,14 +1193,19 @@ fn is_description(label: &str) -> bool {
 
 /// Returns true if what stands above a relation refers to something, or says that it is asked for or a definition: a letter
 /// there, as in `\stackrel{d}{=}`, makes another relation of it.
-fn says_nothing(above: &str) -> bool {
-    let words = above.trim().trim_start_matches(r"\text").trim_start_matches(r"\mathrm");
+pub fn says_nothing(above: &str) -> bool {
+    let words = above.trim().trim_start_matches(r"\text").replace(r"\mathrm", "");
     let words = words.trim_matches(['{', '}', ' ', '.']);
     let is_number = !words.is_empty() && words.chars().all(|c| c.is_ascii_digit() || "()[].,!?*".contains(c));
     let is_reference = [r"\eqref{", r"\ref{", r"(\ref{"]
         .iter()
         .any(|start| words.starts_with(start));
-    is_number || words == "def" || is_reference
+    // (a), (iii)
+    let bracketed = words.strip_prefix('(').and_then(|words| words.strip_suffix(')'));
+    let bracketed = bracketed.map(|words| words.trim_matches(['{', '}']));
+    let is_mark =
+        bracketed.is_some_and(|mark| (1..=3).contains(&mark.len()) && mark.chars().all(|c| c.is_ascii_alphabetic()));
+    is_number || is_mark || words == "def" || is_reference
 }
 
 /// Letters that stand for functions more often than for factors.
@@ -1386,6 +1392,7 @@ mod tests {
             (r"{n \choose {a \over b}}", r"{\binom{n }{ {\frac{a }{ b}}}}"),
             (r"a \stackrel{(3)}{=} b", "a = b"),
             (r"a \overset{!}{\le} b", r"a \le b"),
+            (r"a \overset{(a)}{=} b", r"a = b"),
             (r"\overset{a}{b}", r"\overset{a}{b}"),
             (r"X \stackrel{d}{=} Y", r"X \stackrel{d}{=} Y"),
             (r"1{,}000 x", r"1{,}000 x"),

@@ -93,7 +93,7 @@ pub use elementary::{Elementary, Parity};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use hidden::has_dots;
-pub use layout::{FUNCTION_LETTERS, LONGEST, derivative_of, is_bold, is_opaque};
+pub use layout::{FUNCTION_LETTERS, LONGEST, derivative_of, is_bold, is_opaque, says_nothing};
 pub use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::{BOLD, Names, Opaque};

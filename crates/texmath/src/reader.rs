@@ -165,7 +165,8 @@ impl<'a> Reader<'a> {
         let mut reaching: Vec<usize> = open.iter().map(|_| 0).collect();
         let mut doubt: Option<(usize, Name)> = None;
         let mut derived = self.derivative_behind();
-        let mut terms = vec![*self.beside(first)?];
+        // braces around a whole term print the sum that stands there
+        let mut terms = vec![*first.tree];
         while self.peek_kind().is_some_and(is_sign) {
             let at = self.here();
             if let Some(letter) = derived.take() {
@@ -209,7 +210,10 @@ impl<'a> Reader<'a> {
         self.next += 1;
         self.no_sign("a sign")?;
         let term = self.term()?;
-        let term = self.beside(term)?;
+        let term = match kind {
+            Kind::Plus => term.tree,
+            _ => self.beside(term)?,
+        };
         let tree = match kind {
             Kind::Minus => Box::new(Tree::Negate(term)),
             Kind::PlusMinus => Box::new(Tree::PlusMinus(term)),
@@ -573,6 +577,8 @@ mod tests {
             ("a + (b - c)", "(+ a (+ b (- c)))"),
             ("((a))", "a"),
             ("{a + b}", "(+ a b)"),
+            ("{a + b} - c", "(+ (+ a b) (- c))"),
+            ("a + {b - c} + d", "(+ a (+ b (- c)) d)"),
         ]);
         refuse(&[
             ("2 -- b", "a negative one needs brackets"),
@@ -581,6 +587,7 @@ mod tests {
             (r"a \cdot {} -b", "a negative one needs brackets"),
             ("a + ", "found `the end` where a factor"),
             ("a - {b + c}", "TeX braces do not print"),
+            ("-{b + c} + a", "TeX braces do not print"),
             ("a{-b}", "TeX braces do not print"),
             ("a {b/c}", "TeX braces do not print"),
             ("", "found `nothing`"),
