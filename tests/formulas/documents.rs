@@ -2326,6 +2326,97 @@ fn a_partial_derivative_of_physics_is_one_symbol() {
     assert!(ran.stdout.contains(",proved,"), "{}", ran.stdout);
 }
 
+/// The verdicts of a document without comments, in the order of its rows.
+fn verdicts_of(text: &str) -> Vec<String> {
+    let ran = audited(text);
+    let rows = csv::Reader::from_reader(ran.stdout.as_bytes()).into_records();
+    rows.map(|row| row.unwrap()[1].to_owned()).collect()
+}
+
+#[test]
+fn letters_with_dots_are_functions_of_time_where_it_is_differentiated_by() {
+    let law = r"\[ L = \frac12 m \dot{q}^2 - \frac12 k q^2 \] so that";
+    for (text, wanted) in [
+        (
+            r"\[ \frac{d}{dt}\frac{\partial L}{\partial \dot q} = m \ddot q, \qquad \frac{\partial L}{\partial q} = - k q \]",
+            &["given", "proved", "proved"][..],
+        ),
+        (
+            r"\[ \frac{d}{dt}\frac{\partial L}{\partial \dot q} - \frac{\partial L}{\partial q} = m \ddot q + k q \]",
+            &["given", "proved"],
+        ),
+        (
+            r"\[ \frac{d}{dt}\frac{\partial L}{\partial \dot q} - \frac{\partial L}{\partial q} = m \ddot q - k q \]",
+            &["given", "given"],
+        ),
+    ] {
+        assert_eq!(verdicts_of(&format!("{law} {text}")), wanted, "{text}");
+    }
+    let beside = r"\[ \frac{d}{dt}\frac{\partial L}{\partial \dot x} = m \ddot x, \quad L = \frac12 m \dot x^2 \]";
+    let mut verdicts = verdicts_of(beside);
+    verdicts.sort_unstable();
+    assert_eq!(verdicts, ["given", "proved"]);
+}
+
+#[test]
+fn a_letter_of_which_nothing_says_that_it_varies_is_held_fixed_and_this_is_said() {
+    let proved = r"\[ \int_0^1 a x^2 \, dx = \frac{a}{3} \]";
+    let ran = audited(proved);
+    assert!(
+        ran.stdout.contains(",proved,") && ran.stdout.contains("`a` as `x` varies: constant"),
+        "{}",
+        ran.stdout
+    );
+    for varies in [
+        r"\[ \frac{d a}{d x} = 1 \]",
+        r"Here $a$ is a function of $x$.",
+        r"\[ a' = a \]",
+        r"\[ \Delta a = b \]",
+        r"\[ a(x) = b - c + a(x) \]",
+    ] {
+        let verdicts = verdicts_of(&format!("\\section{{Work}}\n{varies} {proved}"));
+        assert!(
+            verdicts.last().is_some_and(|last| last != "proved"),
+            "{varies}: {verdicts:?}"
+        );
+    }
+}
+
+#[test]
+fn equations_side_by_side_are_judged_one_by_one() {
+    for (text, wanted) in [
+        (
+            r"\[ T = 2 \pi/\omega, \qquad \omega = k/m \] so \[ T = 2 \pi m/k \]",
+            &["given", "given", "proved"][..],
+        ),
+        (
+            r"\[ a = b^2 - c^2 \quad \text{and} \quad d = (b - c)(b + c) \] so \[ a = d \]",
+            &["given", "given", "proved"],
+        ),
+        // a condition, and two values of one letter
+        (
+            r"\[ y = a x + b, \quad x = 1 \] so \[ y = a + b \]",
+            &["undecided", "undecided"],
+        ),
+        (r"\[ x = a + b, \quad x = a - b \]", &["undecided"]),
+    ] {
+        assert_eq!(verdicts_of(text), wanted, "{text}");
+    }
+}
+
+#[test]
+fn what_stands_at_a_brace_or_above_a_sign_changes_nothing() {
+    for text in [
+        r"\begin{align*} s &= x + \underbrace{y - y}_{=0} + z \\ &= x + z \end{align*}",
+        r"\begin{align*} s &= \overbrace{a + b}^{\text{gain}} - \underbrace{c}_{\text{loss}} + c \\ &= a + b \end{align*}",
+        r"\begin{align*} s &= a + a \\ &\overset{(a)}{=} 2 a \end{align*}",
+        r"\[ s = a + a \stackrel{(\mathrm{ii})}{=} 2 a \]",
+        r"\begin{align*} s &= {\color{red} a + b} + c \\ &= c + b + a \end{align*}",
+    ] {
+        assert_eq!(verdicts_of(text), ["given", "proved"], "{text}");
+    }
+}
+
 #[test]
 fn what_gives_a_function_is_not_proved_by_itself() {
     let text = r"\[ F(x) = P(X \leq x) \quad \forall x \in \mathbb{R} \] \[ F(x) = \sum_{x_i \leq x} p(x_i) \] so \[ F(x) = \begin{cases} 0 & x < 0 \\ 1 & x \geq 0 \end{cases} \]";

@@ -149,6 +149,9 @@ pub(super) struct RawEntry {
     /// Letters of it and of what it follows from that are taken for the numbers `e` and `i`, though nothing says so.
     #[serde(default)]
     pub constants: Vec<String>,
+    /// Letters that are taken not to vary with others, ``"`m` as `t` varies"``, though nothing says so.
+    #[serde(default)]
+    pub held: Vec<String>,
     /// Labels of formulas that it follows from and that give a letter another value than one before.
     #[serde(default)]
     pub second_values: Vec<String>,
@@ -194,6 +197,7 @@ impl RawEntry {
             standing: Standing::Said,
             doubts: Vec::new(),
             constants: Vec::new(),
+            held: Vec::new(),
             second_values: Vec::new(),
             operators: Vec::new(),
             identities: Vec::new(),
@@ -961,7 +965,8 @@ fn wrong_letter(
         let mut parts = tex
             .match_indices(r"\partial")
             .filter_map(|(at, sign)| tex.get(at + sign.len()..));
-        parts.any(|behind| behind.trim_start_matches([' ', '{']).starts_with(&by.to_string()))
+        let bare = |text: &str| text.replace(['{', '}', ' '], "");
+        parts.any(|behind| bare(behind).starts_with(&bare(&by.to_string())))
     };
     // more than a function that is known by its name alone
     let moves = |of: &Tree, by: &Name| {
@@ -994,6 +999,7 @@ fn wrong_letter(
                 &mut |node| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if is_other(name)),
             )
     };
+    let holds_operation = |of: &Tree| any(of, &mut |node| matches!(node, Tree::Operation(..)));
     let mut found = None;
     any(tree, &mut |node| {
         if let Tree::Operation(operation, at) = node {
@@ -1008,9 +1014,14 @@ fn wrong_letter(
                 Operation::Derivative { of, by, .. } if applies(of, by) => {
                     Some(format!("`{by}` is a function here, and a letter that runs"))
                 }
-                Operation::Derivative { of, by, order: 1.., .. } if speaks_of_others(of, by) => Some(format!(
-                    "`{by}` is a function, and others move with it: say by the chain rule what is meant"
-                )),
+                // by convention the partial one holds the others fixed (Goldstein, Classical Mechanics, section 1.4)
+                Operation::Derivative { of, by, order: 1.., .. }
+                    if speaks_of_others(of, by) && (!is_partial(by) || holds_operation(of)) =>
+                {
+                    Some(format!(
+                        "`{by}` is a function, and others move with it: say by the chain rule what is meant"
+                    ))
+                }
                 Operation::Derivative { of, by, order: 1.., .. } if runs(by) && is_partial(by) && moves(of, by) => {
                     Some(format!(
                         "a partial derivative by `{by}` of what moves with it: write `\\frac{{d}}{{d{by}}}`, or say by names what is held fixed"
@@ -1204,9 +1215,10 @@ pub(super) fn read_entry(
     );
     let open = raw.doubts.iter().cloned().map(DoubtKind::Open);
     let constants = raw.constants.iter().cloned().map(DoubtKind::Constant);
+    let held = raw.held.iter().cloned().map(DoubtKind::Held);
     let second_values = raw.second_values.iter().cloned().map(DoubtKind::SecondValue);
     let marked = raw.marked.iter().cloned().map(DoubtKind::Marked);
-    let kinds = open.chain(constants).chain(second_values).chain(marked);
+    let kinds = open.chain(constants).chain(held).chain(second_values).chain(marked);
     doubts.extend(kinds.map(|kind| Doubt {
         kind,
         at: At::default(),

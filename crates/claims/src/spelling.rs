@@ -3,7 +3,9 @@
 
 use super::entry::{Entry, RawEntry, Role};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
-use texmath::{Condition, Equation, Name, Operation, Symbols, Tree, any, any_side, index_of, letters};
+use texmath::{
+    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Symbols, Tree, any, any_side, index_of, letters,
+};
 
 /// Makes the entries `unread` that hold a letter which the formulas print in two ways: `\mathbf{a}` and `a`, `\phi` and
 /// `\varphi` are read as one letter, and are mostly two symbols where both are printed.
@@ -227,6 +229,14 @@ pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], symbols: &Sym
         .collect();
     for (position, at, name) in found {
         if let Some(entry) = entries.get_mut(position) {
+            // what a document means is open, not wrong
+            if !entry.guessed.is_empty() {
+                entry.doubts.push(Doubt {
+                    kind: DoubtKind::OfSome(name),
+                    at: At(at),
+                });
+                continue;
+            }
             let problem =
                 format!("`{name}` stands in this claim alone: whether for some or for every value is not said");
             entry

@@ -63,6 +63,8 @@ pub enum DoubtKind {
     Guess(String),
     /// `e` or `i` in a document that does not say that it is the number, taken for it.
     Constant(String),
+    /// A letter of a document within a derivative or integral by another, taken not to vary with it: ``` `m` as `t` varies```.
+    Held(String),
     /// A formula of a document that gives a letter another value, taken to hold beside the first.
     SecondValue(String),
     /// What a document leaves open, as a letter before a bracket.
@@ -217,6 +219,7 @@ impl DoubtKind {
                 };
                 Choice::of(format!("`{letter}`"), number, "a letter")
             }
+            Self::Held(place) => Choice::of(place.clone(), "constant", "moves with it"),
             Self::SecondValue(_) | Self::Factor { .. } | Self::Guess(_) | Self::Open(_) | Self::Marked(_) => {
                 return None;
             }

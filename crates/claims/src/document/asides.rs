@@ -1,5 +1,6 @@
 //! Formulas within the text that say what a letter is or that something holds: `where $N = N_t + N_c$`, `let $u = x^4$`.
 
+use super::tex::{BRACES, Groups, after_blanks};
 use std::ops::Range;
 
 /// Words right behind a display, in front of what is said of it.
@@ -439,6 +440,30 @@ pub(super) fn next_display(text: &str, at: usize) -> Option<usize> {
     let inside = start + open.len();
     let end = inside + behind.get(inside..)?.find(close)?;
     Some(at + end + close.len())
+}
+
+/// Returns the equations that braces of a display state of what they stand at, `\underbrace{a - b}_{= 0}`, with their places.
+pub(super) fn at_braces(text: &str, display: Range<usize>) -> Vec<(Range<usize>, String)> {
+    let own = text.get(display.clone()).unwrap_or_default();
+    let groups = Groups::of(own);
+    let equation = |at: usize, sign: &str, script: u8| {
+        let marked = groups.group(own, at + sign.len(), BRACES)?;
+        let behind = after_blanks(own, marked.end + 1);
+        let label = groups.group(own, behind + 1, BRACES)?;
+        let is_script = own.as_bytes().get(behind) == Some(&script);
+        let inside = own.get(marked.clone())?;
+        let value = own.get(label)?.trim().strip_prefix('=')?;
+        let is_plain =
+            inside.len() + value.len() <= LONGEST && !inside.contains(['=', '&', '<', '>']) && !value.contains('=');
+        let part = display.start + at..display.start + marked.end + 1;
+        (is_script && is_plain).then(|| (part, format!("{inside} = {value}")))
+    };
+    let braces = [(r"\underbrace", b'_'), (r"\overbrace", b'^')];
+    let found = braces.into_iter().flat_map(|(sign, script)| {
+        let all = own.match_indices(sign);
+        all.filter_map(move |(at, _)| equation(at, sign, script))
+    });
+    found.collect()
 }
 
 /// The display of which words in front of a formula announce it.

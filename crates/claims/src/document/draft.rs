@@ -62,6 +62,7 @@ fn of_entry(entry: &RawEntry) -> String {
         ("guessed", &entry.guessed),
         ("doubts", &entry.doubts),
         ("constants", &entry.constants),
+        ("held", &entry.held),
         ("second_values", &entry.second_values),
         ("operators", &entry.operators),
         ("identities", &entry.identities),

@@ -7,6 +7,7 @@ use super::super::function::are_different;
 use super::super::implication;
 use super::super::sheet::{FOLLOWS, RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
+use super::dependence::{Dependence, Varying, with_dots};
 use super::factors::Factors;
 use super::marks::{Marked, Marks, OF_COMPLEX, Stated};
 use super::members::{Members, prints_letter_t};
@@ -17,8 +18,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 use texmath::{
     Display, Doubt, DoubtKind, Elementary, Equation, FUNCTION_LETTERS, Name, Names, Opaque, Operation, ReadError,
-    Relation, Symbols, Tree, any, any_side, derivative_of, functions_given, has_dots, index_of, is_bold, is_constant,
-    is_opaque, letters, names_in, names_of, pair_of, read_display, read_name, speaks_of, with_commands,
+    Relation, Symbols, Tree, any, any_side, functions_given, has_dots, index_of, is_bold, is_constant, is_opaque,
+    letters, names_in, names_of, pair_of, read_display, read_name, speaks_of, with_commands,
 };
 use toml::Spanned;
 
@@ -73,6 +74,8 @@ pub(super) struct Guess {
     read: Vec<Vec<Equation>>,
     /// The functions of time.
     functions: Vec<Name>,
+    /// Those of them that are known by their dots, and whose rates are functions too.
+    moving: Vec<Name>,
     /// The letters of constants, `e` and `i`, that the document uses as the numbers.
     constants: Constants,
     /// Letters of constants to which the document gives a value of its own.
@@ -136,8 +139,8 @@ pub(super) struct Guess {
     stated: Vec<Stating>,
     /// The label of the formula before.
     before: String,
-    /// Letters of which derivatives are printed.
-    differentiated: BTreeSet<String>,
+    /// The letters that may vary with others.
+    varying: Varying,
     /// All names that need a declaration.
     names: BTreeSet<Name>,
     /// The formulas of which nobody says what they are.
@@ -148,51 +151,6 @@ pub(super) struct Guess {
     undeclared: BTreeMap<Name, Option<String>>,
     /// Those of them that each formula uses.
     uses: HashMap<String, BTreeSet<Name>>,
-}
-
-/// Returns true if an equation holds a differential, or a derivative or integral of other letters than the one it is taken by;
-/// `is_value` says that the first letter has a value in terms of the second.
-fn has_dependence(equation: &Equation, is_value: &dyn Fn(&Name, &Name) -> bool) -> bool {
-    // nobody takes the differential of a constant
-    let varies = |tree: &Tree| {
-        any(
-            tree,
-            &mut |node| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if !is_constant(name)),
-        )
-    };
-    let is_differential =
-        |pair: &[Tree]| matches!(pair, [Tree::Symbol(name, _), of] if name.to_string() == "d" && varies(of));
-    let mut depends = |node: &Tree| match node {
-        Tree::Operation(operation, _) => match &**operation {
-            Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } => {
-                // of `\frac{\partial^2 u}{\partial x \partial t}` both letters are arguments of u
-                let inner = match innermost(of) {
-                    symbol @ Tree::Symbol(..) => symbol,
-                    _ => of,
-                };
-                let depends = |name: &Name| name != by && !is_constant(name) && !is_value(name, by);
-                any(
-                    inner,
-                    &mut |node| matches!(node, Tree::Symbol(name, _) if depends(name)),
-                )
-            }
-            _ => false,
-        },
-        Tree::Product(factors) => factors.windows(2).any(is_differential),
-        _ => false,
-    };
-    any_side(equation, &mut depends)
-}
-
-/// Returns what a derivative of derivatives is of.
-fn innermost(tree: &Tree) -> &Tree {
-    match tree {
-        Tree::Operation(operation, _) => match &**operation {
-            Operation::Derivative { of, .. } => innermost(of),
-            _ => tree,
-        },
-        tree => tree,
-    }
 }
 
 /// The symbol that a factor is, or a power of it.
@@ -320,6 +278,8 @@ pub(super) struct OpenQuestions {
     pub doubts: Vec<String>,
     /// Letters that are taken for the numbers `e` and `i`.
     pub constants: Vec<String>,
+    /// Letters that are taken not to depend on others.
+    pub held: Vec<String>,
     /// Labels of formulas that give a letter another value than one before.
     pub second_values: Vec<String>,
     /// Letters that are more than real numbers.
@@ -344,6 +304,12 @@ fn binds_it(equation: &Equation, letter: &Tree) -> bool {
     [&equation.left, &equation.right]
         .into_iter()
         .all(|side| !side.has_free(name))
+}
+
+/// Returns true if a name is a function of time, or a rate of it by dots.
+fn is_rate_of(name: &Name, function: &Name) -> bool {
+    let rates = [function.clone(), function.dotted(), function.dotted().dotted()];
+    rates.contains(name)
 }
 
 /// Whether this is `\frac{D u}{D t}`.
@@ -504,34 +470,6 @@ fn stated(formula: &Formula, names: &Names) -> Vec<Equation> {
     displays.flat_map(|display| display.equations).collect()
 }
 
-/// The letters of which equations hold derivatives, be it by dots.
-fn differentiated<'a>(equations: impl Iterator<Item = &'a Equation>) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    for side in equations.flat_map(|equation| [&equation.left, &equation.right]) {
-        any(side, &mut |node| {
-            match node {
-                Tree::Operation(operation, _) => {
-                    if let Operation::Derivative { of, by, .. } = &**operation {
-                        let letters = letters_of(innermost(of));
-                        found.extend(letters.iter().filter(|name| *name != by).map(ToString::to_string));
-                    }
-                }
-                Tree::Symbol(name, _) => {
-                    found.extend(derivative_of(&name.base).map(str::to_owned));
-                    if name.accents.last().is_some_and(|accent| accent.ends_with("dot")) {
-                        let mut plain = name.clone();
-                        plain.accents.pop();
-                        found.insert(plain.to_string());
-                    }
-                }
-                _ => {}
-            }
-            false
-        });
-    }
-    found
-}
-
 /// The letters to which equations give values that hold other letters, as they print.
 fn values_given<'a>(equations: impl Iterator<Item = &'a Equation>) -> BTreeSet<String> {
     let given = equations.filter_map(|equation| match &equation.left {
@@ -596,7 +534,7 @@ impl Guess {
             Some(declared) => declared.read().unwrap_or_default(),
             None => Symbols::default(),
         };
-        let mut functions: Vec<Name> = Vec::new();
+        let (mut functions, mut moving): (Vec<Name>, Vec<Name>) = Default::default();
         if !is_strict {
             for name in formulas
                 .iter()
@@ -607,6 +545,16 @@ impl Guess {
                     functions.push(name);
                 }
             }
+            let texts = formulas.iter().filter_map(|formula| formula.tex.as_deref().ok());
+            moving = with_dots(texts);
+            moving.retain(|name| !symbols.declares(name));
+            functions.extend(
+                moving
+                    .iter()
+                    .filter(|name| !functions.contains(name))
+                    .cloned()
+                    .collect::<Vec<_>>(),
+            );
         }
         let mut names = symbols.names.clone();
         names.functions.extend(functions.iter().cloned());
@@ -664,7 +612,6 @@ impl Guess {
             names.defined.retain(|name| given_functions.contains(name));
             rounds = rounds.saturating_sub(1);
         };
-        let differentiated = differentiated(read.iter().flatten());
         let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         let mut texts = formulas.iter().filter_map(|formula| formula.tex.as_deref().ok());
         let mut constants = Constants {
@@ -732,11 +679,13 @@ impl Guess {
             factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
             spoken_last: spoken_last(formulas, &read),
+            varying: Varying::of(read.iter().flatten(), &all, members),
             read,
             constants,
             given,
             complex,
             functions,
+            moving,
             has_symbols,
             is_strict,
             symbols,
@@ -754,7 +703,6 @@ impl Guess {
             again: HashMap::new(),
             stated: Vec::new(),
             before: String::new(),
-            differentiated,
             names: BTreeSet::new(),
             guessed: HashMap::new(),
             doubtful: HashSet::new(),
@@ -1034,8 +982,9 @@ impl Guess {
     /// True if definitions give a letter by another one and by letters of which nothing is a derivative.
     fn is_value(&self, name: &Name, by: &Name) -> bool {
         let reached = self.reached(&BTreeSet::from([name.clone()]));
-        let is_constant = |own: &Name| own == name || own == by || !self.differentiated.contains(&own.to_string());
-        self.definitions.contains_key(name) && reached.contains(by) && reached.iter().all(is_constant)
+        let speaks = |own: &Name| own == by || (by.to_string() == TIME && self.is_of_time(own, by));
+        let is_known = |own: &Name| own == name || own == by || self.is_of_time(own, by) || !self.varying.contains(own);
+        self.definitions.contains_key(name) && reached.iter().any(speaks) && reached.iter().all(is_known)
     }
 
     /// The equations that define a name.
@@ -1246,7 +1195,7 @@ impl Guess {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
             if is_some(&mut is_left_out) {
                 Some("what do the dots stand for?")
-            } else if has_dependence(equation, &|name, by| self.is_value(name, by))
+            } else if self.dependence(equation).is_open
                 || is_with_and_without_time(equation)
                 || is_some(&mut is_rate)
                 || (is_some(&mut is_opaque_symbol) && is_some(&mut binds))
@@ -1329,8 +1278,10 @@ impl Guess {
             .cloned()
             .collect();
         let mut constants = Vec::new();
+        let mut held = BTreeSet::new();
         if !self.has_symbols {
             let all: Vec<&Equation> = stated.own.iter().chain(&stated.below).copied().collect();
+            held = all.iter().flat_map(|equation| self.dependence(equation).held).collect();
             for letter in Constants::LETTERS
                 .into_iter()
                 .filter(|letter| self.constants.is_doubtful(letter, &all))
@@ -1368,9 +1319,27 @@ impl Guess {
         OpenQuestions {
             doubts,
             constants,
+            held: held
+                .into_iter()
+                .map(|(letter, by)| format!("`{letter}` as `{by}` varies"))
+                .collect(),
             second_values,
             marked,
         }
+    }
+
+    /// Returns what an equation differentiates or integrates by what, and whether that varies with it.
+    fn dependence(&self, equation: &Equation) -> Dependence {
+        let is_value = |name: &Name, by: &Name| self.is_value(name, by);
+        Dependence::of(equation, &self.varying, &is_value, &|name, by| {
+            self.is_of_time(name, by)
+        })
+    }
+
+    /// Returns true for a function of time that is differentiated by time, or held fixed where another is differentiated by.
+    fn is_of_time(&self, name: &Name, by: &Name) -> bool {
+        let moves = |name: &Name| self.moving.iter().any(|function| is_rate_of(name, function));
+        moves(name) && (by.to_string() == TIME || moves(by))
     }
 
     /// Returns the doubt about formulas that share a letter, if it has a value of its own in a part of the text, and some of them
@@ -1430,7 +1399,8 @@ impl Guess {
             primes: 0,
             ..name.clone()
         };
-        self.functions.contains(&plain) || (!self.functions.is_empty() && name.to_string() == TIME)
+        let is_rate = self.moving.iter().any(|function| is_rate_of(&plain, function));
+        is_rate || self.functions.contains(&plain) || (!self.functions.is_empty() && name.to_string() == TIME)
     }
 
     /// Whether this is the modulus of what may be complex.
@@ -1906,7 +1876,7 @@ fn has_adjoint(shown: &str) -> bool {
 }
 
 /// A formula without blanks and sizes of brackets.
-fn plain(tex: &str) -> String {
+pub(super) fn plain(tex: &str) -> String {
     tex.replace(r"\left", "")
         .replace(r"\right", "")
         .split_whitespace()

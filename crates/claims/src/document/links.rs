@@ -2,8 +2,9 @@
 
 use super::scan::{Aside, Formula};
 use super::tex::{Outside, outside};
+use std::collections::HashSet;
 use std::ops::Range;
-use texmath::{Related, related};
+use texmath::{Names, Related, letters, read_name, related};
 
 /// Returns true for a relation of a chain of which each link is judged by itself.
 fn is_linking(sign: &str) -> bool {
@@ -31,6 +32,7 @@ pub(super) fn parted(formulas: Vec<Formula>, text: &str) -> Vec<Formula> {
     let mut firsts: Vec<usize> = Vec::with_capacity(formulas.len());
     // the link that is stated last
     let mut last = String::new();
+    let mut met: HashSet<String> = HashSet::new();
     for formula in formulas {
         firsts.push(all.len());
         if formula.is_aside {
@@ -42,7 +44,8 @@ pub(super) fn parted(formulas: Vec<Formula>, text: &str) -> Vec<Formula> {
         let tex = formula.tex.as_deref().unwrap_or_default();
         // a macro that was replaced shifts what stands behind it
         let is_as_printed = text.get(formula.part.clone()) == Some(tex);
-        let parts = parts(tex, &last);
+        let parts = definitions_first(tex, parts(tex, &last), &met);
+        met.extend(letters_of(tex));
         if let Some(stated) = statements(tex).last() {
             let link = links(tex, stated.clone()).pop().unwrap_or_else(|| stated.clone());
             tex.get(link).unwrap_or_default().clone_into(&mut last);
@@ -77,6 +80,113 @@ struct Part {
     /// The formula that its arrow leads from, where that does not stand before it.
     given: Option<String>,
     is_link: bool,
+    /// True for the first link of an equation that stands beside another.
+    is_beside: bool,
+}
+
+/// Words and signs between equations that are printed side by side.
+const BETWEEN: [&str; 4] = ["", "and", "where", "with"];
+
+/// The equations that blanks part, `a = b, \quad c = d`; none where one of them may be a condition on others, or another value of the
+/// same letter: `y = a x, \quad x = 1`, `x = 1, \quad x = 2`.
+fn side_by_side(tex: &str) -> Vec<Range<usize>> {
+    let (mut pieces, mut commas, mut start, mut relations) = (Vec::new(), Vec::new(), 0, 0);
+    for met in outside(tex, 0..tex.len()) {
+        match met {
+            Outside::Relation(at) if tex.get(at.clone()) == Some("=") => relations += 1,
+            Outside::Command(at) => match tex.get(at.clone()).unwrap_or_default() {
+                r"\quad" | r"\qquad" if relations > 0 => {
+                    pieces.push(start..at.start);
+                    (start, relations) = (at.end, 0);
+                }
+                r"\forall" | r"\exists" => return Vec::new(),
+                _ => {}
+            },
+            Outside::Relation(_) | Outside::Row(_) | Outside::Column(_) => return Vec::new(),
+            Outside::Comma(at) => commas.push(at),
+        }
+    }
+    if relations == 0 {
+        return Vec::new();
+    }
+    pieces.push(start..tex.len());
+    let mut sides: Vec<&str> = Vec::new();
+    for piece in &mut pieces {
+        let own = tex.get(piece.clone()).unwrap_or_default();
+        let (word, length) = leading_word(own);
+        if !BETWEEN.contains(&word) {
+            return Vec::new();
+        }
+        *piece = printed(tex, piece.start + length..piece.end);
+        let own = tex.get(piece.clone()).unwrap_or_default();
+        let own = own.trim_end_matches([',', ';', '.', ' ']);
+        piece.end = piece.start + own.len();
+        let Some((left, right)) = own.split_once('=') else {
+            return Vec::new();
+        };
+        // `x = L`, `\theta = \pi/2`
+        let is_value = is_name(left) && (is_name(right) || letters_of(right).is_empty());
+        let has_words = [r"\text", r"\mbox", r"\dots", r"\ldots"]
+            .iter()
+            .any(|sign| own.contains(sign));
+        let is_list = commas.iter().any(|comma| piece.contains(comma));
+        if is_value || has_words || is_list || sides.contains(&left.trim()) {
+            return Vec::new();
+        }
+        sides.push(left.trim());
+    }
+    pieces
+}
+
+/// The word in text that a formula begins with, as `\text{and }`, and where it ends.
+fn leading_word(tex: &str) -> (&str, usize) {
+    let own = tex.trim_start_matches([' ', '\n', ',', ';']);
+    let word = [r"\text{", r"\mbox{", r"\textrm{"]
+        .iter()
+        .find_map(|sign| own.strip_prefix(sign));
+    match word.and_then(|word| word.split_once('}')) {
+        Some((word, behind)) => (word.trim().trim_matches(',').trim(), tex.len() - behind.len()),
+        None => ("", tex.len() - own.len()),
+    }
+}
+
+/// Returns true for a side that is one letter, with a subscript or not.
+fn is_name(side: &str) -> bool {
+    read_name(side.trim(), &Names::default()).is_ok()
+}
+
+/// The letters of a formula that are no numbers.
+fn letters_of(tex: &str) -> HashSet<String> {
+    let all = letters(tex, &Names::default()).into_iter().map(|(letter, _)| letter);
+    all.filter(|letter| ![r"\pi", "e", "i"].contains(&letter.as_str()))
+        .collect()
+}
+
+/// The parts with what gives a letter of an equation that it stands beside in front of that.
+fn definitions_first(tex: &str, parts: Vec<Part>, met: &HashSet<String>) -> Vec<Part> {
+    let (mut first, mut others) = (Vec::new(), Vec::new());
+    let mut is_first = false;
+    for part in parts {
+        let (own, before) = (tex.get(part.range.clone()), tex.get(..part.range.start));
+        if !part.is_link {
+            let gives = |own, before| gives(own, before, met);
+            is_first = part.is_beside && own.zip(before).is_some_and(|(own, before)| gives(own, before));
+        }
+        if is_first { first.push(part) } else { others.push(part) }
+    }
+    first.append(&mut others);
+    first
+}
+
+/// Returns true if an equation gives a letter that stands before it and that no formula before has a value in terms of others.
+fn gives(equation: &str, before: &str, met: &HashSet<String>) -> bool {
+    let Some((left, right)) = equation.split_once('=') else {
+        return false;
+    };
+    let (own, right) = (letters_of(left), letters_of(right));
+    let is_new =
+        |letter: &String| letters_of(before).contains(letter) && !met.contains(letter) && !right.contains(letter);
+    is_name(left) && own.len() == 1 && own.iter().all(is_new) && right.len() > 1
 }
 
 /// The parts of a formula: the links of each statement, and each arrow with the link before and the one behind it. A statement of
@@ -86,8 +196,24 @@ fn parts(tex: &str, last: &str) -> Vec<Part> {
         range,
         given: None,
         is_link,
+        is_beside: false,
     };
     let mut all = Vec::new();
+    let equations = side_by_side(tex);
+    if equations.len() > 1 {
+        for equation in equations {
+            let links = match links(tex, equation.clone()) {
+                links if links.is_empty() => vec![equation],
+                links => links,
+            };
+            let numbered = links.into_iter().enumerate();
+            all.extend(numbered.map(|(number, link)| Part {
+                is_beside: number == 0,
+                ..part(link, number > 0)
+            }));
+        }
+        return all;
+    }
     let mut before: Option<Range<usize>> = None;
     let statements = statements(tex);
     for statement in &statements {

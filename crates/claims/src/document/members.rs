@@ -42,10 +42,24 @@ pub(super) struct Members {
     /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
     /// quaternions.
     pub has_other_columns: bool,
+    /// The letters in clauses that say that something varies.
+    pub varying: BTreeSet<String>,
 }
 
 /// The most characters before and behind `\in` that letters and their set take.
 const FARTHEST: usize = 60;
+
+/// Words that say that something varies.
+const OF_VARYING: [&str; 8] = [
+    "function of",
+    "functions of",
+    "depend",
+    "vary",
+    "varies",
+    "varying",
+    "time-dependent",
+    "field",
+];
 
 /// The most equations within the text that may bear on one formula.
 const MOST_SAID: usize = 8;
@@ -256,6 +270,14 @@ impl Members {
             near.iter().any(|near| near.contains("$i$") || near.contains(r"\(i\)"))
         });
         members.speaks_of_operators = text.contains("perator");
+        for word in OF_VARYING {
+            for (at, _) in lower.match_indices(word) {
+                let (before, behind) = clause(text, at, at + word.len());
+                let before = before.rsplit('$').skip(1).step_by(2);
+                let formulas = before.chain(behind.split('$').skip(1).step_by(2));
+                members.varying.extend(formulas.flat_map(letters));
+            }
+        }
         members.has_vectors = OF_VECTORS.iter().any(|word| text.contains(word));
         let has_determinants = text.contains("eterminant");
         members.says_more = OF_LESS.iter().any(|word| text.contains(word));

@@ -4,6 +4,7 @@
 mod asides;
 mod citations;
 mod comment;
+mod dependence;
 mod draft;
 mod factors;
 mod fonts;
@@ -604,7 +605,8 @@ fn entries(
     for entry in raw.equation.iter_mut().filter(|entry| entry.role == Role::Claim) {
         entry.guessed.extend(guess.beneath(entry.label.get_ref(), &below));
         let open = guess.open_questions(entry, &below);
-        (entry.doubts, entry.constants, entry.second_values) = (open.doubts, open.constants, open.second_values);
+        (entry.doubts, entry.constants, entry.held) = (open.doubts, open.constants, open.held);
+        entry.second_values = open.second_values;
         let marked = open.marked;
         (entry.operators, entry.identities, entry.marked) = (marked.operators, marked.identities, marked.doubts);
         entry.columns = !entry.operators.is_empty() && guess.may_have_columns && !whole.members.has_other_columns;
@@ -715,14 +717,21 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
             .into_iter()
             .map(|number| number.unwrap_or_else(|| name.clone()))
             .collect();
-        let (mut alike, mut ranks): (HashMap<&str, Vec<&Formula>>, HashMap<&str, usize>) = Default::default();
+        let mut alike: HashMap<&str, Vec<&Formula>> = HashMap::new();
+        let mut ranks: HashMap<(&str, usize), usize> = HashMap::new();
         for (formula, base) in chain.iter().zip(&bases) {
             alike.entry(base).or_default().push(formula);
         }
+        // what is given beside an equation may stand behind it
+        for beside in alike.values_mut() {
+            beside.sort_by_key(|formula| formula.part.start);
+        }
         for (at, (formula, base)) in chain.iter().zip(&bases).enumerate() {
-            let rank = ranks.entry(base).or_default();
-            *rank += 1;
             let beside = alike.get(base.as_str()).map_or(&[][..], Vec::as_slice);
+            let before = beside.partition_point(|other| other.part.start < formula.part.start);
+            let here = ranks.entry((base, before)).or_default();
+            *here += 1;
+            let rank = before + *here;
             let mut label = if beside.len() > 1 {
                 format!("{base}.{rank}")
             } else {

@@ -4,7 +4,7 @@ use super::tex::{
     BRACES, Groups, Outside, after_blanks, environment, group, is_equating, orders, outside, relates, trimmed,
 };
 use std::ops::Range;
-use texmath::printed;
+use texmath::{printed, related, says_nothing};
 
 /// A row of a display, or several that are one formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -339,6 +339,28 @@ impl Row {
         self.labels.extend(more.labels);
         self.tag = self.tag.take().or(more.tag);
         self.problem = self.problem.or(more.problem);
+    }
+}
+
+/// Leaves of `\overset{(a)}{=}` the relation alone, where what stands above it says nothing.
+pub(super) fn print_relations(text: &mut String, part: Range<usize>) {
+    let own = text.get(part.clone()).unwrap_or_default();
+    let groups = Groups::of(own);
+    let relation = |at: usize, sign: &str| {
+        let above = groups.group(own, at + sign.len(), BRACES)?;
+        let relation = groups.group(own, above.end + 1, BRACES)?;
+        let (start, end) = (part.start + at, part.start + relation.end + 1);
+        let sign = own.get(relation)?.trim();
+        let is_plain = related(sign).is_some() && says_nothing(own.get(above)?);
+        is_plain.then(|| (start..end, sign.to_owned()))
+    };
+    let found: Vec<(Range<usize>, String)> = [r"\overset", r"\stackrel"]
+        .iter()
+        .flat_map(|sign| own.match_indices(sign).filter_map(|(at, sign)| relation(at, sign)))
+        .collect();
+    for (place, sign) in found {
+        blank(text, place.clone());
+        text.replace_range(place.start..place.start + sign.len(), &sign);
     }
 }
 

@@ -6,7 +6,7 @@ use super::comment::{is_misspelt, is_of_document};
 use super::fonts;
 use super::macros::{DEFINING, Macros};
 use super::markdown::{unescaped, unquoted};
-use super::rows::{Row, blank, rows};
+use super::rows::{Row, blank, print_relations, rows};
 use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::ops::Range;
@@ -667,10 +667,16 @@ impl<'a> Scan<'a> {
             .last()
             .filter(|last| announced == Announced::Behind && !has_empty_line(text(last.part.end..here)));
         let after = display.map_or(self.formulas.len(), |last| last.first);
+        let tex = tex.to_owned();
+        self.keep_aside(body, &tex, announced, after, until);
+    }
+
+    /// Keeps a formula that is said of the formulas from one number on, up to a place in the text.
+    fn keep_aside(&mut self, part: Range<usize>, tex: &str, announced: Announced, after: usize, until: usize) {
         let Ok(tex) = self.macros.expanded(tex) else { return };
         self.asides.push(Aside {
             formula: Formula {
-                part: body,
+                part,
                 tex: Ok(tex),
                 number: None,
                 labels: Vec::new(),
@@ -1230,6 +1236,7 @@ impl<'a> Scan<'a> {
     fn display(&mut self, body: Range<usize>, numbers: Numbers, name: &str) {
         let first = self.formulas.len();
         let (start, end) = (body.start, body.end);
+        print_relations(&mut self.text, body.clone());
         if self.markup == Markup::Markdown {
             let comments = self.comments_of_tex(body.clone());
             self.waiting.extend(comments);
@@ -1275,6 +1282,11 @@ impl<'a> Scan<'a> {
         }
         if has_empty_row && numbers == Numbers::Rows {
             self.count();
+        }
+        if self.formulas.len() > first {
+            for (part, said) in asides::at_braces(&self.text, start..end) {
+                self.keep_aside(part, &said, Announced::Behind, first, end);
+            }
         }
         // what is said behind a display of one number is said of all of it
         let known = self.line_end.as_ref();

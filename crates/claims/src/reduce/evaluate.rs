@@ -359,7 +359,9 @@ impl<'a> Over<'a> {
         let of = self.value(of)?;
         let runs = symbols.running() == Some(by);
         super::is_continuous(self.statements, symbols, by)?;
-        if !runs && super::is_spoken_of(self.statements, symbols, by) {
+        // a function is a coordinate: of what is written the others are held fixed, unless a premise ties one of them to it
+        let is_apart = symbols.is_function(by) && !super::ties_functions(self.statements, symbols, by, &of);
+        if !runs && !is_apart && super::is_spoken_of(self.statements, symbols, by) {
             return Err(format!(
                 "premises speak of `{by}`: what depends on it there is not differentiated; write it out, or let `{by}` run"
             ));

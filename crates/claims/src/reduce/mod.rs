@@ -41,7 +41,8 @@ pub use powers::at_positive_bases;
 pub use rule::{Rule, Rules};
 pub use thin::{thin_domains, values};
 
-use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, put_in};
+use std::collections::BTreeSet;
+use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, names_in, put_in};
 
 /// The most primes of a name that stands for a number in a proof.
 const MOST_PRIMES: u8 = 9;
@@ -372,6 +373,32 @@ fn is_spoken_of(statements: &Statements, symbols: &Symbols, name: &Name) -> bool
     is_tied(statements, symbols, name)
         || premises.any(|premise| speaks(&premise.equation))
         || stands_in_symbols(symbols, name)
+}
+
+/// Returns true if a premise speaks of a function and of another one that stands in a value.
+fn ties_functions(statements: &Statements, symbols: &Symbols, name: &Name, value: &matrix::Value) -> bool {
+    let is_other = |other: &&Name| symbols.is_function(other) && *other != name;
+    let mut others: BTreeSet<Name> = BTreeSet::new();
+    match value {
+        matrix::Value::Number(tree) => names_in(tree, &mut others),
+        matrix::Value::Matrix(rows) => rows.iter().flatten().for_each(|entry| names_in(entry, &mut others)),
+    }
+    let speaks = |equation: &Equation, name: &Name| equation.left.has_free(name) || equation.right.has_free(name);
+    let mut premises = statements.premises.iter().map(|premise| &premise.equation);
+    premises.any(|premise| {
+        let mut others = others.iter().filter(is_other);
+        speaks(premise, name) && others.any(|other| !is_rate(other, name) && speaks(premise, other))
+    })
+}
+
+/// Returns true if one of two functions is the other with dots.
+fn is_rate(a: &Name, b: &Name) -> bool {
+    let plain = |name: &Name| {
+        let mut name = name.clone();
+        name.accents.retain(|accent| !accent.ends_with("dot"));
+        name
+    };
+    plain(a) == plain(b)
 }
 
 /// Whether an assumed equation ties a symbol to others.

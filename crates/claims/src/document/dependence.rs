@@ -1,0 +1,262 @@
+//! Letters that vary with others, by what a document prints and says of them: what it differentiates, calls or marks by dots.
+
+use super::members::Members;
+use std::collections::BTreeSet;
+use texmath::{
+    BOLD, Equation, Name, Names, Opaque, Operation, Tree, any, any_side, derivative_of, is_constant, is_opaque,
+    names_in, read_name, with_commands,
+};
+
+/// The letters of a document that may vary.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Varying {
+    letters: BTreeSet<String>,
+}
+
+impl Varying {
+    /// The letters that equations differentiate by themselves, call, or mark by dots and primes, those behind a sign of a
+    /// difference or differential, and those of which the text says that they vary.
+    pub fn of<'e>(equations: impl Iterator<Item = &'e Equation>, texts: &[String], members: &Members) -> Self {
+        let mut letters = members.varying.clone();
+        for equation in equations {
+            any_side(equation, &mut |node| {
+                let name = match node {
+                    Tree::Operation(operation, _) => match &**operation {
+                        Operation::Derivative { of, .. } => match innermost(of) {
+                            Tree::Symbol(name, _) => Some(name),
+                            _ => None,
+                        },
+                        _ => None,
+                    },
+                    Tree::Call(name, ..) | Tree::Partial { of: name, .. } => Some(name),
+                    Tree::Symbol(name, _) if is_opaque(name) => {
+                        let called = name.base.split_once('(').map(|(called, _)| called);
+                        letters.extend(derivative_of(&name.base).or(called).map(bare));
+                        None
+                    }
+                    Tree::Symbol(name, _) if name.primes > 0 || is_dotted(name) => Some(name),
+                    _ => None,
+                };
+                letters.extend(name.map(plain));
+                false
+            });
+        }
+        for text in texts {
+            letters.extend(differences(text));
+        }
+        Self { letters }
+    }
+
+    /// Returns true if a letter may vary with another.
+    pub fn contains(&self, name: &Name) -> bool {
+        self.letters.contains(&plain(name))
+    }
+}
+
+/// A name as it prints without dots and primes.
+fn plain(name: &Name) -> String {
+    let mut name = name.clone();
+    name.primes = 0;
+    name.accents.retain(|accent| !accent.ends_with("dot"));
+    bare(&name.to_string())
+}
+
+/// A text without braces and blanks.
+fn bare(text: &str) -> String {
+    text.replace(['{', '}', ' '], "")
+}
+
+fn is_dotted(name: &Name) -> bool {
+    name.accents.last().is_some_and(|accent| accent.ends_with("dot"))
+}
+
+/// Signs in front of a letter that varies.
+const BEFORE: [&str; 14] = [
+    r"\frac{d",
+    r"\dfrac{d",
+    r"\tfrac{d",
+    r"\frac{\mathrm{d}",
+    r"\mathrm{d}",
+    r"\frac{\partial",
+    r"\dfrac{\partial",
+    r"\partial_",
+    r"\nabla",
+    r"\Delta",
+    r"\delta",
+    r"\dv{",
+    r"\pdv{",
+    r"\Box",
+];
+
+/// The letters right behind signs of a difference, derivative or differential, but for that of an integral: `\mathrm{d}x`.
+fn differences(tex: &str) -> Vec<String> {
+    let shown = super::guess::plain(tex);
+    let mut found = Vec::new();
+    for sign in BEFORE {
+        for (at, _) in shown.match_indices(sign) {
+            if sign == r"\mathrm{d}" && shown.contains(r"\int") {
+                continue;
+            }
+            let behind = shown.get(at + sign.len()..).unwrap_or_default();
+            let behind = match behind.split_once('}').filter(|_| sign.ends_with('_')) {
+                Some((_, behind)) if behind.starts_with('{') => behind,
+                _ if sign.ends_with('_') => behind.get(1..).unwrap_or_default(),
+                _ => behind,
+            };
+            let behind = behind.trim_start_matches(|c: char| "^{}".contains(c) || c.is_ascii_digit());
+            let is_command = behind.starts_with('\\');
+            let length = match is_command {
+                true => 1 + behind.chars().skip(1).take_while(char::is_ascii_alphabetic).count(),
+                false => behind.chars().next().map_or(0, char::len_utf8),
+            };
+            let (letter, behind) = behind.split_at_checked(length).unwrap_or_default();
+            let subscript = match behind.strip_prefix('_') {
+                Some(group) if group.starts_with('{') => {
+                    group.split('}').next().unwrap_or_default().trim_start_matches('{')
+                }
+                Some(sign) => sign.get(..1).unwrap_or_default(),
+                None => "",
+            };
+            let joint = if subscript.is_empty() { "" } else { "_" };
+            found.extend((length > 0).then(|| format!("{letter}{joint}{subscript}")));
+        }
+    }
+    found
+}
+
+/// What equations hold of letters that may vary.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Dependence {
+    /// True if nothing says whether a letter depends on one by which it is differentiated or integrated.
+    pub is_open: bool,
+    /// Letters that are taken to be the same at every value of another, with this one.
+    pub held: BTreeSet<(String, String)>,
+}
+
+impl Dependence {
+    /// What an equation holds. `is_value` says that the first letter has a value in terms of the second, `is_of_time` that a letter
+    /// is a function of time, by which it may be differentiated.
+    pub fn of(
+        equation: &Equation,
+        varying: &Varying,
+        is_value: &dyn Fn(&Name, &Name) -> bool,
+        is_of_time: &dyn Fn(&Name, &Name) -> bool,
+    ) -> Self {
+        let mut found = Self::default();
+        any_side(equation, &mut |node| {
+            match node {
+                Tree::Operation(operation, _) => {
+                    if let Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } = &**operation {
+                        found.take(of, by, varying, is_value, is_of_time);
+                    }
+                }
+                Tree::Product(factors) => found.is_open |= factors.windows(2).any(is_differential),
+                _ => {}
+            }
+            false
+        });
+        found
+    }
+
+    fn take(
+        &mut self,
+        of: &Tree,
+        by: &Name,
+        varying: &Varying,
+        is_value: &dyn Fn(&Name, &Name) -> bool,
+        is_of_time: &dyn Fn(&Name, &Name) -> bool,
+    ) {
+        // of `\frac{\partial^2 u}{\partial x \partial t}` both letters are arguments of u
+        let of = match innermost(of) {
+            symbol @ Tree::Symbol(..) => symbol,
+            _ => of,
+        };
+        let mut names = BTreeSet::new();
+        names_in(of, &mut names);
+        let moves = names.contains(by) || names.iter().any(|name| is_of_time(name, by));
+        let others = names.iter().filter(|name| *name != by && !is_constant(name));
+        for name in others.filter(|name| !is_value(name, by) && !is_of_time(name, by)) {
+            // what does not speak of the letter itself would be a constant, of which nobody takes a derivative
+            let is_held = moves && !varying.contains(name) && !is_opaque(name);
+            self.is_open |= !is_held;
+            self.held.extend(is_held.then(|| (name.to_string(), by.to_string())));
+        }
+    }
+}
+
+/// Returns true for `d x` of what is no constant.
+fn is_differential(pair: &[Tree]) -> bool {
+    let varies = |tree: &Tree| {
+        any(
+            tree,
+            &mut |node| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if !is_constant(name)),
+        )
+    };
+    matches!(pair, [Tree::Symbol(name, _), of] if name.to_string() == "d" && varies(of))
+}
+
+/// Returns what a derivative of derivatives is of.
+fn innermost(tree: &Tree) -> &Tree {
+    match tree {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Derivative { of, .. } => innermost(of),
+            _ => tree,
+        },
+        tree => tree,
+    }
+}
+
+/// The derivative by time of more than one letter, in formulas without blanks.
+const BY_TIME: [&str; 6] = [
+    r"\frac{d}{dt}",
+    r"\dfrac{d}{dt}",
+    r"\tfrac{d}{dt}",
+    r"\frac{\mathrm{d}}{\mathrm{d}t}",
+    r"\dv{t}",
+    r"\dv*{t}",
+];
+
+/// The most bytes of a letter with dots and a subscript.
+const LONGEST: usize = 40;
+
+/// The letters that formulas print with dots, where a formula holds the derivative by time of more than one letter: functions of time.
+pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> Vec<Name> {
+    let takes_rates = |tex: &str| {
+        let shown = super::guess::plain(tex);
+        BY_TIME.iter().any(|sign| shown.contains(sign))
+    };
+    let mut found = Vec::new();
+    if !formulas.clone().any(takes_rates) {
+        return found;
+    }
+    // a letter in bold is a name of its own
+    let bold = Names {
+        opaque: Some(Opaque::default()),
+        ..Names::default()
+    };
+    for tex in formulas.clone() {
+        let tex = with_commands(tex);
+        for (at, _) in [r"\dot", r"\ddot"].iter().flat_map(|sign| tex.match_indices(sign)) {
+            let behind = tex.get(at..).unwrap_or_default();
+            let ends = behind.char_indices().map(|(end, c)| end + c.len_utf8()).take(LONGEST);
+            let names = ends.filter_map(|end| read_name(behind.get(..end)?, &bold).ok());
+            let Some(mut name) = names.filter(is_dotted).last() else {
+                continue;
+            };
+            name.accents.pop();
+            // an index may run
+            let is_single = name.accents.is_empty() && !name.subscript.chars().any(|c| c.is_ascii_lowercase());
+            if is_single && name.primes == 0 && name.mark.is_empty() && !found.contains(&name) {
+                found.push(name);
+            }
+        }
+    }
+    // `\mathbf{v}` and its length v cannot both be functions
+    let shown: Vec<String> = formulas.map(bare).collect();
+    let is_bold = |name: &Name| {
+        BOLD.iter()
+            .any(|bold| shown.iter().any(|text| text.contains(&format!("{bold}{}", name.base))))
+    };
+    found.retain(|name| !is_bold(name));
+    found
+}
