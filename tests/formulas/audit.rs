@@ -206,7 +206,7 @@ fn a_proof_names_its_axioms_and_its_cases() {
             .succeeded()
     };
     let addition = explained(r"\sin(x + y) = \sin(x) \cos(y) + \cos(x) \sin(y)");
-    assert!(addition.contains("axiom: sine of sum (DLMF 4.21)"), "{addition}");
+    assert!(addition.contains("axiom: sine of sum (DLMF 4.21.2)"), "{addition}");
     let expanded = explained("(x + y)^2 = x^2 + 2 x y + y^2");
     assert!(expanded.contains("multiplied out"), "{expanded}");
     let squares = explained(r"x^2 + y^2 \ge 2 x y");

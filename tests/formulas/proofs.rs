@@ -302,7 +302,7 @@ struct Served {
 impl Served {
     fn new(python: &str, of: &str) -> Self {
         let scratch = scratch(&format!("checker-{of}"));
-        let path = scratch.file("check.py", CHECKER);
+        let path = scratch.file("check.py", CHECKER.as_str());
         let mut child = Command::new(python)
             .arg(&path)
             .stdin(Stdio::piped())
@@ -444,7 +444,8 @@ fn break_step(steps: &mut Vec<Inference>, random: &mut Sequence) -> bool {
         },
         Inference::Constant { steps, .. } => return break_step(steps, random),
         Inference::Along { equation, .. } => break_number(equation, random),
-        Inference::Generic(term) => term.0 = term.0.saturating_sub(1),
+        Inference::Generic(term) | Inference::Unfold(term) => term.0 = term.0.saturating_sub(1),
+        Inference::Enclosure(polynomial) => break_polynomial(polynomial, random),
         Inference::Axiom(_) | Inference::Law { .. } | Inference::Derivative(_) => {
             let moved = steps.remove(at);
             let to = below(random, steps.len() + 1);

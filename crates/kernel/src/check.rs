@@ -1,10 +1,11 @@
 //! The acceptance of certificates: each step is checked by multiplying out, nothing is searched for.
 
-use super::certificate::{Axiom, Certificate, Inference, LawSource, Summand};
+use super::axiom::{Axiom, Guard, written};
+use super::certificate::{Certificate, Inference, LawSource, Summand};
 use super::expand::{Expansion, Refusal, vanishes};
 use super::polynomial::Polynomial;
 use super::statement::{Instance, Property, Statement};
-use super::term::{Elementary, Node, Symbol, Term};
+use super::term::{Node, Symbol, Term};
 use num_traits::Zero;
 use numbers::Rational;
 use std::collections::HashSet;
@@ -262,6 +263,14 @@ impl<'a> Checker<'a> {
             },
             Inference::Law { source, at } => self.law(*source, *at),
             Inference::Axiom(axiom) => self.axiom(axiom),
+            Inference::Unfold(term) => self.unfold(*term),
+            Inference::Enclosure(polynomial) => match self.statement.sign_of(polynomial) {
+                Some(1) => {
+                    self.add(Property::Positive, polynomial.clone());
+                    Ok(())
+                }
+                _ => refused("no enclosure shows that this is positive"),
+            },
             Inference::Zero {
                 target,
                 power,
@@ -722,443 +731,57 @@ impl<'a> Checker<'a> {
         Ok(())
     }
 
-    /// The terms are identical as quotients of polynomials.
-    fn same(&mut self, a: Term, b: &[Term]) -> Outcome<()> {
-        let sum = self.statement.terms.sum(b.to_vec());
-        let difference = self.statement.terms.difference(a, sum);
-        self.defined(&[difference])?;
-        let quotient = self.expansion.of(&self.statement.terms, difference)?;
-        match vanishes(&quotient.numerator) {
-            true => Ok(()),
-            false => refused("a term is not the sum that it is taken for"),
-        }
-    }
-
-    fn argument(&self, term: Term, wanted: impl Fn(Elementary) -> bool) -> Outcome<(Elementary, Term)> {
-        match self.statement.terms.node(term) {
-            Node::Elementary(function, of) if wanted(*function) => Ok((*function, *of)),
-            _ => refused("an axiom is not about this function"),
-        }
-    }
-
-    /// The index of a root, as an exponent too, and its radicand.
-    fn root(&self, root: Term) -> Outcome<(u32, i32, Term)> {
-        match self.statement.terms.node(root) {
-            Node::Elementary(Elementary::Root(index), of) => match i32::try_from(*index) {
-                Ok(exponent) if exponent >= 2 => Ok((*index, exponent, *of)),
-                _ => refused("a root has an index of 2 or more"),
-            },
-            _ => refused("an axiom is not about this function"),
-        }
-    }
-
-    #[allow(clippy::too_many_lines)] // one arm an axiom, as a table
-    fn axiom(&mut self, axiom: &Axiom) -> Outcome<()> {
-        use Elementary::{Arccos, Arcsin, Arctan, Cos, Exp, Ln, Sin};
-        use Property::{NonNegative, Nonzero, Positive, Zero};
-        macro_rules! terms {
-            () => {
-                self.statement.terms
+    /// A whole term, or the symbol of an abbreviation, is what it stands for.
+    fn unfold(&mut self, term: Term) -> Outcome<()> {
+        if let Node::Symbol(symbol) = self.statement.terms.node(term) {
+            let Some(&meaning) = self.statement.definitions.get(symbol) else {
+                return refused("the symbol is no abbreviation");
             };
+            let difference = self.statement.terms.difference(term, meaning);
+            return self.conclude(Property::Zero, difference);
         }
-        let function = |checker: &mut Self, function, of| checker.statement.terms.elementary(function, of);
-        match axiom {
-            Axiom::Unfold(term) => {
-                if let Node::Symbol(symbol) = terms!().node(*term) {
-                    let Some(&meaning) = self.statement.definitions.get(symbol) else {
-                        return refused("the symbol is no abbreviation");
-                    };
-                    let difference = terms!().difference(*term, meaning);
-                    return self.conclude(Zero, difference);
+        self.defined(&[term])?;
+        let meaning = self.expansion.unfolded(&self.statement.terms, term)?;
+        let mut product = Polynomial::generator(term);
+        for (divisor, power) in &meaning.divisors {
+            let raised = self.expansion.power(divisor, *power)?;
+            product = self.expansion.times(&product, &raised)?;
+        }
+        self.add(Property::Zero, product.minus(&meaning.numerator));
+        Ok(())
+    }
+
+    fn axiom(&mut self, axiom: &Axiom) -> Outcome<()> {
+        let (guards, conclusion) = axiom.instance(&mut self.statement.terms)?;
+        for guard in guards {
+            self.meets(guard)?;
+        }
+        match conclusion {
+            Guard::Holds(property, term) => self.conclude(property, term),
+            _ => refused("an axiom concludes a property"),
+        }
+    }
+
+    /// Refuses an instance of an axiom that does not meet a guard.
+    fn meets(&mut self, guard: Guard) -> Outcome<()> {
+        match guard {
+            Guard::Holds(property, term) => {
+                self.defined(&[term])?;
+                self.need(property, term)
+            }
+            Guard::Defined(term) => self.defined(&[term]),
+            Guard::Real(term) => self.reals(&[term]),
+            Guard::Written(kind, term) => {
+                let fits = |number: i64| number >= 0 && (kind == "natural" || (number % 2 == 0) == (kind == "even"));
+                match written(&self.statement.terms, term).is_some_and(fits) {
+                    true => Ok(()),
+                    false => refused(format!("no {kind} number")),
                 }
-                self.defined(&[*term])?;
-                let meaning = self.expansion.unfolded(&self.statement.terms, *term)?;
-                let mut product = Polynomial::generator(*term);
-                for (divisor, power) in &meaning.divisors {
-                    let raised = self.expansion.power(divisor, *power)?;
-                    product = self.expansion.times(&product, &raised)?;
-                }
-                self.add(Zero, product.minus(&meaning.numerator));
-                Ok(())
             }
-            Axiom::Pythagoras(of) => {
-                let [sine, cosine] = [Sin, Cos].map(|f| function(self, f, *of));
-                let squares = [sine, cosine].map(|f| terms!().add(Node::Power(f, 2)));
-                let (sum, one) = (terms!().sum(squares.to_vec()), terms!().integer(1));
-                let difference = terms!().difference(sum, one);
-                self.conclude(Zero, difference)
-            }
-            Axiom::SineOfSum { sum, parts: [a, b] } => {
-                self.same(*sum, &[*a, *b])?;
-                let [sa, sb] = [a, b].map(|x| function(self, Sin, *x));
-                let [ca, cb] = [a, b].map(|x| function(self, Cos, *x));
-                let (first, second) = (terms!().product(vec![sa, cb]), terms!().product(vec![ca, sb]));
-                let (left, right) = (function(self, Sin, *sum), terms!().sum(vec![first, second]));
-                let difference = terms!().difference(left, right);
-                self.conclude(Zero, difference)
-            }
-            Axiom::CosineOfSum { sum, parts: [a, b] } => {
-                self.same(*sum, &[*a, *b])?;
-                let [sa, sb] = [a, b].map(|x| function(self, Sin, *x));
-                let [ca, cb] = [a, b].map(|x| function(self, Cos, *x));
-                let (first, second) = (terms!().product(vec![ca, cb]), terms!().product(vec![sa, sb]));
-                let (left, right) = (function(self, Cos, *sum), terms!().difference(first, second));
-                let difference = terms!().difference(left, right);
-                self.conclude(Zero, difference)
-            }
-            Axiom::SineOfNegative { negative, of } => {
-                let opposite = terms!().negative(*of);
-                self.same(*negative, &[opposite])?;
-                let [a, b] = [negative, of].map(|x| function(self, Sin, *x));
-                let sum = terms!().sum(vec![a, b]);
-                self.conclude(Zero, sum)
-            }
-            Axiom::CosineOfNegative { negative, of } => {
-                let opposite = terms!().negative(*of);
-                self.same(*negative, &[opposite])?;
-                let [a, b] = [negative, of].map(|x| function(self, Cos, *x));
-                let difference = terms!().difference(a, b);
-                self.conclude(Zero, difference)
-            }
-            Axiom::SineOfZero(of) => {
-                self.same(*of, &[])?;
-                let sine = function(self, Sin, *of);
-                self.conclude(Zero, sine)
-            }
-            Axiom::CosineOfZero(of) | Axiom::ExpOfZero(of) => {
-                self.same(*of, &[])?;
-                let which = if matches!(axiom, Axiom::CosineOfZero(_)) {
-                    Cos
-                } else {
-                    Exp
-                };
-                let (value, one) = (function(self, which, *of), terms!().integer(1));
-                let difference = terms!().difference(value, one);
-                self.conclude(Zero, difference)
-            }
-            Axiom::SineOfPi => {
-                let pi = terms!().add(Node::Pi);
-                let sine = function(self, Sin, pi);
-                self.conclude(Zero, sine)
-            }
-            Axiom::CosineOfPi => {
-                let (pi, one) = (terms!().add(Node::Pi), terms!().integer(1));
-                let cosine = function(self, Cos, pi);
-                let sum = terms!().sum(vec![cosine, one]);
-                self.conclude(Zero, sum)
-            }
-            Axiom::SineOfHalfTurns(n) => {
-                self.need(Property::Integer, *n)?;
-                let pi = terms!().add(Node::Pi);
-                let angle = terms!().product(vec![pi, *n]);
-                let sine = function(self, Sin, angle);
-                self.conclude(Zero, sine)
-            }
-            Axiom::CosineOfTurns(n) => {
-                self.need(Property::Integer, *n)?;
-                let (two, pi, one) = (terms!().integer(2), terms!().add(Node::Pi), terms!().integer(1));
-                let angle = terms!().product(vec![two, pi, *n]);
-                let cosine = function(self, Cos, angle);
-                let difference = terms!().difference(cosine, one);
-                self.conclude(Zero, difference)
-            }
-            Axiom::CosineOfHalfTurns(n) => {
-                self.need(Property::Integer, *n)?;
-                let (minus, pi) = (terms!().integer(-1), terms!().add(Node::Pi));
-                let angle = terms!().product(vec![pi, *n]);
-                let (cosine, power) = (function(self, Cos, angle), terms!().add(Node::RealPower(minus, *n)));
-                let difference = terms!().difference(cosine, power);
-                self.conclude(Zero, difference)
-            }
-            Axiom::ExpOfImaginary(of) => {
-                self.complex_only()?;
-                let unit = terms!().add(Node::Imaginary);
-                let exponent = terms!().product(vec![unit, *of]);
-                let [value, sine, cosine] =
-                    [(Exp, exponent), (Sin, *of), (Cos, *of)].map(|(f, x)| function(self, f, x));
-                let imaginary = terms!().product(vec![unit, sine]);
-                let sum = terms!().sum(vec![cosine, imaginary]);
-                let difference = terms!().difference(value, sum);
-                self.conclude(Zero, difference)
-            }
-            Axiom::RootOfNegative(of) => {
-                self.complex_only()?;
-                self.reals(&[*of])?;
-                self.need(NonNegative, *of)?;
-                let (unit, negative) = (terms!().add(Node::Imaginary), terms!().negative(*of));
-                let [left, right] = [negative, *of].map(|x| function(self, Elementary::Root(2), x));
-                let product = terms!().product(vec![unit, right]);
-                let difference = terms!().difference(left, product);
-                self.conclude(Zero, difference)
-            }
-            Axiom::LnOfNegative(of) => {
-                self.complex_only()?;
-                self.reals(&[*of])?;
-                self.need(Positive, *of)?;
-                let (unit, pi) = (terms!().add(Node::Imaginary), terms!().add(Node::Pi));
-                let negative = terms!().negative(*of);
-                let [left, right] = [negative, *of].map(|x| function(self, Ln, x));
-                let angle = terms!().product(vec![unit, pi]);
-                let sum = terms!().sum(vec![right, angle]);
-                let difference = terms!().difference(left, sum);
-                self.conclude(Zero, difference)
-            }
-            Axiom::IntegerAtLeastOne(n) => {
-                self.reals(&[*n])?;
-                self.need(Property::Integer, *n)?;
-                self.need(Positive, *n)?;
-                let one = terms!().integer(1);
-                let rest = terms!().difference(*n, one);
-                self.conclude(NonNegative, rest)
-            }
-            Axiom::ExpOfSum { sum, parts: [a, b] } => {
-                self.same(*sum, &[*a, *b])?;
-                let [left, a, b] = [sum, a, b].map(|x| function(self, Exp, *x));
-                let product = terms!().product(vec![a, b]);
-                let difference = terms!().difference(left, product);
-                self.conclude(Zero, difference)
-            }
-            Axiom::ExpPositive(of) => {
-                self.reals(&[*of])?;
-                self.defined(&[*of])?;
-                let value = function(self, Exp, *of);
-                self.conclude(Positive, value)
-            }
-            Axiom::ExpNonzero(of) => {
-                self.defined(&[*of])?;
-                let value = function(self, Exp, *of);
-                self.conclude(Nonzero, value)
-            }
-            Axiom::ExpInjective([a, b]) => {
-                self.reals(&[*a, *b])?;
-                self.defined(&[*a, *b])?;
-                let values = [a, b].map(|x| function(self, Exp, *x));
-                let values = terms!().difference(values[0], values[1]);
-                self.need(Zero, values)?;
-                let difference = terms!().difference(*a, *b);
-                self.conclude(Zero, difference)
-            }
-            Axiom::ExpOfLn(of) => {
-                let logarithm = function(self, Ln, *of);
-                self.defined(&[logarithm])?;
-                let value = function(self, Exp, logarithm);
-                let difference = terms!().difference(value, *of);
-                self.conclude(Zero, difference)
-            }
-            Axiom::LnOfExp(of) => {
-                self.reals(&[*of])?;
-                self.defined(&[*of])?;
-                let value = function(self, Exp, *of);
-                let logarithm = function(self, Ln, value);
-                let difference = terms!().difference(logarithm, *of);
-                self.conclude(Zero, difference)
-            }
-            Axiom::RootPower(root) => {
-                let (_, exponent, of) = self.root(*root)?;
-                self.defined(&[*root])?;
-                let power = terms!().add(Node::Power(*root, exponent));
-                let difference = terms!().difference(power, of);
-                self.conclude(Zero, difference)
-            }
-            Axiom::RootNonNegative(root) => {
-                let (index, ..) = self.root(*root)?;
-                if index % 2 == 1 {
-                    return refused("an odd root has any sign");
-                }
-                if self.statement.complex {
-                    return refused("a principal root may be complex");
-                }
-                self.defined(&[*root])?;
-                self.conclude(NonNegative, *root)
-            }
-            Axiom::RootUnique { root, value } => {
-                let (index, exponent, of) = self.root(*root)?;
-                if self.statement.complex {
-                    self.reals(&[*value])?;
-                }
-                self.defined(&[*value])?;
-                if index % 2 == 0 || self.statement.complex {
-                    self.need(NonNegative, *value)?;
-                }
-                let power = terms!().add(Node::Power(*value, exponent));
-                let powers = terms!().difference(power, of);
-                self.defined(&[powers])?;
-                self.need(Zero, powers)?;
-                let difference = terms!().difference(*root, *value);
-                self.conclude(Zero, difference)
-            }
-            Axiom::RealPower(power) => {
-                let Node::RealPower(base, exponent) = terms!().node(*power).clone() else {
-                    return refused("no real power");
-                };
-                if self.statement.complex {
-                    self.need(Nonzero, base)?;
-                } else {
-                    self.need(Positive, base)?;
-                }
-                self.defined(&[base, exponent])?;
-                let logarithm = function(self, Ln, base);
-                let product = terms!().product(vec![exponent, logarithm]);
-                let value = function(self, Exp, product);
-                let difference = terms!().difference(*power, value);
-                self.conclude(Zero, difference)
-            }
-            Axiom::IntegerPowerOfSum { power, parts: [a, b] } => {
-                let Node::RealPower(base, exponent) = terms!().node(*power).clone() else {
-                    return refused("no power");
-                };
-                self.same(exponent, &[*a, *b])?;
-                self.defined(&[base])?;
-                self.need(Property::Integer, *a)?;
-                self.need(Property::Integer, *b)?;
-                if !(self.knows(NonNegative, *a)? && self.knows(NonNegative, *b)?) {
-                    self.need(Nonzero, base)?;
-                }
-                let [a, b] = [a, b].map(|part| terms!().add(Node::RealPower(base, *part)));
-                let product = terms!().product(vec![a, b]);
-                let difference = terms!().difference(*power, product);
-                self.conclude(Zero, difference)
-            }
-            Axiom::IntegerPowerOfProduct { power, factors: [a, b] } => {
-                let Node::RealPower(base, exponent) = terms!().node(*power).clone() else {
-                    return refused("no power");
-                };
-                let product = terms!().product(vec![*a, *b]);
-                self.same(base, &[product])?;
-                self.defined(&[base, *a, *b, exponent])?;
-                self.need(Property::Integer, exponent)?;
-                if !self.knows(NonNegative, exponent)? {
-                    self.need(Nonzero, *a)?;
-                    self.need(Nonzero, *b)?;
-                }
-                let [a, b] = [a, b].map(|factor| terms!().add(Node::RealPower(*factor, exponent)));
-                let product = terms!().product(vec![a, b]);
-                let difference = terms!().difference(*power, product);
-                self.conclude(Zero, difference)
-            }
-            Axiom::IntegerPower { power, exponent } => {
-                let Node::RealPower(base, of) = terms!().node(*power).clone() else {
-                    return refused("no power");
-                };
-                let number = terms!().integer(i64::from(*exponent));
-                self.same(of, &[number])?;
-                self.defined(&[base])?;
-                let Some(size) = exponent.checked_abs() else {
-                    return refused("the exponent is too large");
-                };
-                let raised = terms!().add(Node::Power(base, size));
-                let value = if *exponent < 0 {
-                    self.need(Nonzero, base)?;
-                    let one = terms!().integer(1);
-                    terms!().quotient(one, raised)
-                } else {
-                    raised
-                };
-                let difference = terms!().difference(*power, value);
-                self.conclude(Zero, difference)
-            }
-            Axiom::SineOfArcsin(arc) | Axiom::CosineOfArccos(arc) => {
-                let (wanted, outer) = match axiom {
-                    Axiom::SineOfArcsin(_) => (Arcsin, Sin),
-                    _ => (Arccos, Cos),
-                };
-                let (_, of) = self.argument(*arc, |f| f == wanted)?;
-                self.defined(&[*arc])?;
-                let value = function(self, outer, *arc);
-                let difference = terms!().difference(value, of);
-                self.conclude(Zero, difference)
-            }
-            Axiom::SineOfArctan(arc) => {
-                let (_, of) = self.argument(*arc, |f| f == Arctan)?;
-                self.reals(&[of])?;
-                self.defined(&[*arc])?;
-                let [sine, cosine] = [Sin, Cos].map(|f| function(self, f, *arc));
-                let product = terms!().product(vec![of, cosine]);
-                let difference = terms!().difference(sine, product);
-                self.conclude(Zero, difference)
-            }
-            Axiom::CosineOfArcsin(arc) | Axiom::SineOfArccos(arc) | Axiom::CosineOfArctan(arc) => {
-                let (wanted, outer, property) = match axiom {
-                    Axiom::CosineOfArcsin(_) => (Arcsin, Cos, NonNegative),
-                    Axiom::SineOfArccos(_) => (Arccos, Sin, NonNegative),
-                    _ => (Arctan, Cos, Positive),
-                };
-                let (_, of) = self.argument(*arc, |f| f == wanted)?;
-                self.real_arc(wanted, of)?;
-                self.defined(&[*arc])?;
-                let value = function(self, outer, *arc);
-                self.conclude(property, value)
-            }
-            Axiom::ArcAbove(arc) | Axiom::ArcBelow(arc) => {
-                let (wanted, of) = self.argument(*arc, |f| matches!(f, Arcsin | Arccos | Arctan))?;
-                self.real_arc(wanted, of)?;
-                self.defined(&[*arc])?;
-                let (pi, two) = (terms!().add(Node::Pi), terms!().integer(2));
-                let half = terms!().quotient(pi, two);
-                let rest = match (axiom, wanted) {
-                    (Axiom::ArcAbove(_), Arccos) => *arc,
-                    (Axiom::ArcAbove(_), _) => terms!().sum(vec![*arc, half]),
-                    (_, Arccos) => terms!().difference(pi, *arc),
-                    _ => terms!().difference(half, *arc),
-                };
-                let property = if wanted == Arctan { Positive } else { NonNegative };
-                self.conclude(property, rest)
-            }
-            Axiom::AngleUnique([a, b]) => {
-                self.reals(&[*a, *b])?;
-                self.defined(&[*a, *b])?;
-                for outer in [Sin, Cos] {
-                    let [x, y] = [a, b].map(|x| function(self, outer, *x));
-                    let difference = terms!().difference(x, y);
-                    self.need(Zero, difference)?;
-                }
-                let (two, pi) = (terms!().integer(2), terms!().add(Node::Pi));
-                let turn = terms!().product(vec![two, pi]);
-                let apart = terms!().difference(*a, *b);
-                let (below, above) = (terms!().difference(turn, apart), terms!().sum(vec![turn, apart]));
-                self.need(Positive, below)?;
-                self.need(Positive, above)?;
-                self.conclude(Zero, apart)
-            }
-            Axiom::SinePositive(of) => {
-                self.reals(&[*of])?;
-                self.defined(&[*of])?;
-                let pi = terms!().add(Node::Pi);
-                let rest = terms!().difference(pi, *of);
-                self.need(Positive, *of)?;
-                self.need(Positive, rest)?;
-                let sine = function(self, Sin, *of);
-                self.conclude(Positive, sine)
-            }
-            Axiom::ImaginarySquare => {
-                self.complex_only()?;
-                let (unit, one) = (terms!().add(Node::Imaginary), terms!().integer(1));
-                let square = terms!().add(Node::Power(unit, 2));
-                let sum = terms!().sum(vec![square, one]);
-                self.conclude(Zero, sum)
-            }
-            Axiom::Enclosure(polynomial) => match self.statement.sign_of(polynomial) {
-                Some(1) => {
-                    self.add(Positive, polynomial.clone());
-                    Ok(())
-                }
-                _ => refused("no enclosure shows that this is positive"),
+            Guard::Over(kind) => match self.statement.complex == (kind == "complex") {
+                true => Ok(()),
+                false => refused("an axiom of real numbers for complex ones, or of complex ones for real ones"),
             },
-        }
-    }
-
-    fn complex_only(&self) -> Outcome<()> {
-        match self.statement.complex {
-            true => Ok(()),
-            false => refused("the imaginary unit among real numbers"),
-        }
-    }
-
-    /// Over complex numbers, the ranges of inverse functions are known for real arguments of the arc tangent only.
-    fn real_arc(&self, function: Elementary, of: Term) -> Outcome<()> {
-        match !self.statement.complex || (function == Elementary::Arctan && self.statement.is_real(of)) {
-            true => Ok(()),
-            false => refused("the range of a complex inverse function"),
         }
     }
 }

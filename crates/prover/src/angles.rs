@@ -7,7 +7,7 @@ use super::session::Session;
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
-use kernel::{Axiom, Elementary, Inference, Monomial, Node, Polynomial, Term};
+use kernel::{Elementary, Inference, Monomial, Node, Polynomial, Term};
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -140,7 +140,7 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
             }
             pi_over(session, pi, base, count);
         } else if family == Family::Circular {
-            session.axiom(Axiom::Pythagoras(base));
+            session.axiom("Pythagoras", &[base]);
         } else {
             exponential_base(session, base);
         }
@@ -185,14 +185,14 @@ fn imaginary(session: &mut Session, family: Family, atom: &Atom, base: Term) -> 
             let angle = polynomial.times(&Polynomial::generator(unit)).negated();
             let angle = session.normal_form(&angle)?;
             let angle = session.polynomial_term(&angle);
-            session.axiom(Axiom::ExpOfImaginary(angle))?;
+            session.axiom("ExpOfImaginary", &[angle])?;
             let product = session.terms().product(vec![unit, angle]);
             congruent(session, family, base, product);
         }
         Family::Circular => {
             for angle in [polynomial.clone(), polynomial.negated()] {
                 let angle = session.polynomial_term(&angle);
-                session.axiom(Axiom::ExpOfImaginary(angle));
+                session.axiom("ExpOfImaginary", &[angle]);
             }
         }
     }
@@ -217,8 +217,8 @@ fn half_turns(session: &mut Session, pi: Term, atom: &Atom, base: Term) -> Optio
         return None;
     }
     let count = atom_term(session, &(others.into_iter().collect(), Vec::new()));
-    session.axiom(Axiom::SineOfHalfTurns(count))?;
-    session.axiom(Axiom::CosineOfHalfTurns(count))?;
+    session.axiom("SineOfHalfTurns", &[count])?;
+    session.axiom("CosineOfHalfTurns", &[count])?;
     let whole = session.terms().product(vec![pi, count]);
     congruent(session, Family::Circular, base, whole);
     Some(())
@@ -267,11 +267,11 @@ fn functions(family: Family) -> &'static [Elementary] {
 fn of_sum(session: &mut Session, family: Family, sum: Term, parts: [Term; 2]) {
     match family {
         Family::Circular => {
-            session.axiom(Axiom::SineOfSum { sum, parts });
-            session.axiom(Axiom::CosineOfSum { sum, parts });
+            session.axiom("SineOfSum", &[sum, parts[0], parts[1]]);
+            session.axiom("CosineOfSum", &[sum, parts[0], parts[1]]);
         }
         Family::Exponential => {
-            session.axiom(Axiom::ExpOfSum { sum, parts });
+            session.axiom("ExpOfSum", &[sum, parts[0], parts[1]]);
         }
     }
 }
@@ -304,11 +304,11 @@ fn multiple(session: &mut Session, family: Family, base: Term, count: i64) -> Te
 fn zero(session: &mut Session, family: Family, term: Term) {
     match family {
         Family::Circular => {
-            session.axiom(Axiom::SineOfZero(term));
-            session.axiom(Axiom::CosineOfZero(term));
+            session.axiom("SineOfZero", &[term]);
+            session.axiom("CosineOfZero", &[term]);
         }
         Family::Exponential => {
-            session.axiom(Axiom::ExpOfZero(term));
+            session.axiom("ExpOfZero", &[term]);
         }
     }
 }
@@ -316,24 +316,21 @@ fn zero(session: &mut Session, family: Family, term: Term) {
 fn negative(session: &mut Session, family: Family, negative: Term, of: Term) {
     match family {
         Family::Circular => {
-            session.axiom(Axiom::SineOfNegative { negative, of });
-            session.axiom(Axiom::CosineOfNegative { negative, of });
+            session.axiom("SineOfNegative", &[negative, of]);
+            session.axiom("CosineOfNegative", &[negative, of]);
         }
         Family::Exponential => {
             exponential_base(session, of);
             let sum = session.terms().sum(vec![negative, of]);
-            session.axiom(Axiom::ExpOfZero(sum));
-            session.axiom(Axiom::ExpOfSum {
-                sum,
-                parts: [negative, of],
-            });
+            session.axiom("ExpOfZero", &[sum]);
+            session.axiom("ExpOfSum", &[sum, negative, of]);
         }
     }
 }
 
 fn exponential_base(session: &mut Session, base: Term) {
-    if session.axiom(Axiom::ExpPositive(base)).is_none() {
-        session.axiom(Axiom::ExpNonzero(base));
+    if session.axiom("ExpPositive", &[base]).is_none() {
+        session.axiom("ExpNonzero", &[base]);
     }
 }
 
@@ -363,9 +360,9 @@ fn sum(session: &mut Session, family: Family, argument: Term, pieces: &[Term]) {
 
 /// The cosine of pi/count by its minimal polynomial, the sine as a polynomial in it; count is even.
 fn pi_over(session: &mut Session, pi: Term, base: Term, count: i64) {
-    session.axiom(Axiom::SineOfPi);
-    session.axiom(Axiom::CosineOfPi);
-    if session.axiom(Axiom::Pythagoras(base)).is_none() {
+    session.axiom("SineOfPi", &[]);
+    session.axiom("CosineOfPi", &[]);
+    if session.axiom("Pythagoras", &[base]).is_none() {
         return;
     }
     let turned = multiple(session, Family::Circular, base, count);

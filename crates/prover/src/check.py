@@ -11,6 +11,7 @@ import sys
 # a script beside this one may be called like a module
 sys.path[:] = [path for path in sys.path if os.path.abspath(path) != os.path.dirname(os.path.abspath(__file__))]
 
+import ast
 import atexit
 import json
 import random
@@ -24,6 +25,16 @@ from sympy.polys.rings import PolyRing
 ZERO, NONZERO, POSITIVE, NONNEGATIVE, INTEGER = "zero", "nonzero", "positive", "nonnegative", "integer"
 FUNCTIONS = ("sin", "cos", "exp", "ln", "arcsin", "arccos", "arctan")
 DIGITS = 60
+
+# what is true of all numbers, a row each: name, letters, guards, conclusion, source
+ROWS = """
+@AXIOMS@"""
+AXIOMS = {
+    name: (letters.split(), [guard for guard in guards.split("; ") if guard], conclusion)
+    for name, letters, guards, conclusion, _ in (
+        [part.strip() for part in row.split("|")] for row in ROWS.splitlines() if row and not row.startswith("#")
+    )
+}
 SMALL = mpmath.mpf(10) ** -45
 
 
@@ -757,12 +768,6 @@ class Proof:
             result = times(result, power(self.fact(number, *wanted), exponent))
         return result
 
-    def same(self, term, others):
-        """The term is the sum of the others, identically."""
-        difference = self.s.difference(term, self.s.sum(list(others)))
-        self.defined(difference)
-        require(not self.expansion.of(difference)[0], "a term is not the sum that it is taken for")
-
     # the steps
 
     def step_given(self, number):
@@ -953,31 +958,11 @@ class Proof:
         self.excluded.append(term)
         self.conclude(NONZERO, term)
 
-    # axioms: true of all numbers that meet what is said (DLMF 4.14 to 4.45)
-
-    def step_axiom(self, name, *arguments):
-        getattr(self, "axiom_" + name)(*arguments)
-
-    def of(self, kind, *terms):
-        found = tuple(self.s.add((kind, term)) for term in terms)
-        return found if len(found) > 1 else found[0]
-
-    def vanishes(self, term):
-        self.conclude(ZERO, term)
-
-    def equal(self, a, b):
-        self.conclude(ZERO, self.s.difference(a, b))
-
-    def argument(self, term, *kinds):
-        node = self.s.nodes[term]
-        require(node[0] in kinds, "an axiom is not about this function")
-        return node
-
-    def axiom_Unfold(self, term):
+    def step_unfold(self, term):
         node = self.s.nodes[term]
         if node[0] == "symbol":
             require(node[1] in self.s.definitions, "the symbol is no abbreviation")
-            return self.equal(term, self.s.definitions[node[1]])
+            return self.conclude(ZERO, self.s.difference(term, self.s.definitions[node[1]]))
         self.defined(term)
         numerator, divisors = self.expansion.unfolded(term)
         product = generator(term)
@@ -985,254 +970,86 @@ class Proof:
             product = times(product, power(p, n))
         self.add(ZERO, add(product, numerator, -1))
 
-    def axiom_Pythagoras(self, x):
-        s, c = (self.s.add(("power", self.of(f, x), 2)) for f in ("sin", "cos"))
-        self.equal(self.s.sum([s, c]), self.s.number(1))
-
-    def axiom_SineOfSum(self, total, a, b):
-        self.same(total, [a, b])
-        (sa, sb), (ca, cb) = self.of("sin", a, b), self.of("cos", a, b)
-        self.equal(self.of("sin", total), self.s.sum([self.s.product([sa, cb]), self.s.product([ca, sb])]))
-
-    def axiom_CosineOfSum(self, total, a, b):
-        self.same(total, [a, b])
-        (sa, sb), (ca, cb) = self.of("sin", a, b), self.of("cos", a, b)
-        self.equal(self.of("cos", total), self.s.difference(self.s.product([ca, cb]), self.s.product([sa, sb])))
-
-    def axiom_SineOfNegative(self, negative, x):
-        self.same(negative, [self.s.negative(x)])
-        self.vanishes(self.s.sum(list(self.of("sin", negative, x))))
-
-    def axiom_CosineOfNegative(self, negative, x):
-        self.same(negative, [self.s.negative(x)])
-        self.equal(*self.of("cos", negative, x))
-
-    def axiom_SineOfZero(self, x):
-        self.same(x, [])
-        self.vanishes(self.of("sin", x))
-
-    def axiom_CosineOfZero(self, x):
-        self.same(x, [])
-        self.equal(self.of("cos", x), self.s.number(1))
-
-    def axiom_ExpOfZero(self, x):
-        self.same(x, [])
-        self.equal(self.of("exp", x), self.s.number(1))
-
-    def axiom_SineOfPi(self):
-        self.vanishes(self.of("sin", self.s.add(("pi",))))
-
-    def axiom_CosineOfPi(self):
-        self.vanishes(self.s.sum([self.of("cos", self.s.add(("pi",))), self.s.number(1)]))
-
-    def axiom_SineOfHalfTurns(self, n):
-        self.defined(n)
-        self.need(INTEGER, n)
-        self.vanishes(self.of("sin", self.s.product([self.s.add(("pi",)), n])))
-
-    def axiom_CosineOfTurns(self, n):
-        self.defined(n)
-        self.need(INTEGER, n)
-        self.equal(self.of("cos", self.s.product([self.s.number(2), self.s.add(("pi",)), n])), self.s.number(1))
-
-    def axiom_CosineOfHalfTurns(self, n):
-        self.defined(n)
-        self.need(INTEGER, n)
-        angle = self.s.product([self.s.add(("pi",)), n])
-        self.equal(self.of("cos", angle), self.s.add(("realpower", self.s.number(-1), n)))
-
-    def unit(self):
-        require(self.s.complex, "there is no imaginary unit among real numbers")
-        return self.s.add(("i",))
-
-    def axiom_ExpOfImaginary(self, x):
-        unit = self.unit()
-        self.defined(x)
-        imaginary = self.s.product([unit, self.of("sin", x)])
-        self.equal(self.of("exp", self.s.product([unit, x])), self.s.sum([self.of("cos", x), imaginary]))
-
-    def axiom_RootOfNegative(self, x):
-        unit = self.unit()
-        self.reals(x)
-        self.need(NONNEGATIVE, x)
-        root, opposite = (self.s.add(("root", 2, of)) for of in (x, self.s.negative(x)))
-        self.equal(opposite, self.s.product([unit, root]))
-
-    def axiom_LnOfNegative(self, x):
-        unit = self.unit()
-        self.reals(x)
-        self.need(POSITIVE, x)
-        half_turn = self.s.product([unit, self.s.add(("pi",))])
-        self.equal(self.of("ln", self.s.negative(x)), self.s.sum([self.of("ln", x), half_turn]))
-
-    def axiom_IntegerAtLeastOne(self, n):
-        self.reals(n)
-        self.need(INTEGER, n)
-        self.need(POSITIVE, n)
-        self.conclude(NONNEGATIVE, self.s.difference(n, self.s.number(1)))
-
-    def axiom_ExpOfSum(self, total, a, b):
-        self.same(total, [a, b])
-        whole, ea, eb = self.of("exp", total, a, b)
-        self.equal(whole, self.s.product([ea, eb]))
-
-    def axiom_ExpPositive(self, x):
-        self.reals(x)
-        self.defined(x)
-        self.conclude(POSITIVE, self.of("exp", x))
-
-    def axiom_ExpNonzero(self, x):
-        self.defined(x)
-        self.conclude(NONZERO, self.of("exp", x))
-
-    def axiom_ExpInjective(self, a, b):
-        self.reals(a, b)
-        self.defined(a, b)
-        self.need(ZERO, self.s.difference(*self.of("exp", a, b)))
-        self.equal(a, b)
-
-    def axiom_ExpOfLn(self, x):
-        logarithm = self.of("ln", x)
-        self.defined(logarithm)
-        self.equal(self.of("exp", logarithm), x)
-
-    def axiom_LnOfExp(self, x):
-        self.reals(x)
-        self.defined(x)
-        self.equal(self.of("ln", self.of("exp", x)), x)
-
-    def axiom_RootPower(self, term):
-        _, index, x = self.argument(term, "root")
-        self.defined(term)
-        self.equal(self.s.add(("power", term, index)), x)
-
-    def axiom_RootNonNegative(self, term):
-        _, index, _ = self.argument(term, "root")
-        require(index % 2 == 0 and not self.s.complex, "the root may be negative or complex")
-        self.defined(term)
-        self.conclude(NONNEGATIVE, term)
-
-    def axiom_RootUnique(self, term, value):
-        _, index, x = self.argument(term, "root")
-        self.reals(value)
-        self.defined(value)
-        if index % 2 == 0 or self.s.complex:
-            self.need(NONNEGATIVE, value)
-        powers = self.s.difference(self.s.add(("power", value, index)), x)
-        self.defined(powers)
-        self.need(ZERO, powers)
-        self.equal(term, value)
-
-    def axiom_RealPower(self, term):
-        _, base, exponent = self.argument(term, "realpower")
-        self.need(NONZERO if self.s.complex else POSITIVE, base)
-        self.defined(base, exponent)
-        self.equal(term, self.of("exp", self.s.product([exponent, self.of("ln", base)])))
-
-    def axiom_IntegerPowerOfSum(self, term, a, b):
-        _, base, exponent = self.argument(term, "realpower")
-        self.same(exponent, [a, b])
-        self.defined(base)
-        for part in (a, b):
-            self.need(INTEGER, part)
-        if not all(self.knows(NONNEGATIVE, part) for part in (a, b)):
-            self.need(NONZERO, base)
-        a, b = (self.s.add(("realpower", base, part)) for part in (a, b))
-        self.equal(term, self.s.product([a, b]))
-
-    def axiom_IntegerPowerOfProduct(self, term, a, b):
-        _, base, exponent = self.argument(term, "realpower")
-        self.same(base, [self.s.product([a, b])])
-        self.defined(base, a, b, exponent)
-        self.need(INTEGER, exponent)
-        if not self.knows(NONNEGATIVE, exponent):
-            self.need(NONZERO, a)
-            self.need(NONZERO, b)
-        a, b = (self.s.add(("realpower", factor, exponent)) for factor in (a, b))
-        self.equal(term, self.s.product([a, b]))
-
-    def axiom_IntegerPower(self, term, exponent):
-        _, base, of = self.argument(term, "realpower")
-        self.same(of, [self.s.number(exponent)])
-        raised = self.s.add(("power", base, abs(exponent)))
-        if exponent < 0:
-            self.need(NONZERO, base)
-            raised = self.s.quotient(self.s.number(1), raised)
-        self.equal(term, raised)
-
-    def axiom_SineOfArcsin(self, arc):
-        _, x = self.argument(arc, "arcsin")
-        self.defined(arc)
-        self.equal(self.of("sin", arc), x)
-
-    def axiom_CosineOfArccos(self, arc):
-        _, x = self.argument(arc, "arccos")
-        self.defined(arc)
-        self.equal(self.of("cos", arc), x)
-
-    def axiom_SineOfArctan(self, arc):
-        _, x = self.argument(arc, "arctan")
-        self.reals(x)
-        self.defined(arc)
-        self.equal(self.of("sin", arc), self.s.product([x, self.of("cos", arc)]))
-
-    def arc(self, arc, *kinds):
-        kind, x = self.argument(arc, *kinds)
-        require(not self.s.complex or kind == "arctan", "the range of a complex inverse function")
-        self.reals(x)
-        self.defined(arc)
-        return kind
-
-    def axiom_CosineOfArcsin(self, arc):
-        self.arc(arc, "arcsin")
-        self.conclude(NONNEGATIVE, self.of("cos", arc))
-
-    def axiom_SineOfArccos(self, arc):
-        self.arc(arc, "arccos")
-        self.conclude(NONNEGATIVE, self.of("sin", arc))
-
-    def axiom_CosineOfArctan(self, arc):
-        self.arc(arc, "arctan")
-        self.conclude(POSITIVE, self.of("cos", arc))
-
-    def axiom_ArcAbove(self, arc):
-        kind = self.arc(arc, "arcsin", "arccos", "arctan")
-        half = self.s.quotient(self.s.add(("pi",)), self.s.number(2))
-        rest = arc if kind == "arccos" else self.s.sum([arc, half])
-        self.conclude(POSITIVE if kind == "arctan" else NONNEGATIVE, rest)
-
-    def axiom_ArcBelow(self, arc):
-        kind = self.arc(arc, "arcsin", "arccos", "arctan")
-        pi = self.s.add(("pi",))
-        most = pi if kind == "arccos" else self.s.quotient(pi, self.s.number(2))
-        self.conclude(POSITIVE if kind == "arctan" else NONNEGATIVE, self.s.difference(most, arc))
-
-    def axiom_AngleUnique(self, a, b):
-        self.reals(a, b)
-        self.defined(a, b)
-        for f in ("sin", "cos"):
-            self.need(ZERO, self.s.difference(*self.of(f, a, b)))
-        turn = self.s.product([self.s.number(2), self.s.add(("pi",))])
-        apart = self.s.difference(a, b)
-        self.need(POSITIVE, self.s.difference(turn, apart))
-        self.need(POSITIVE, self.s.sum([turn, apart]))
-        self.vanishes(apart)
-
-    def axiom_SinePositive(self, x):
-        self.reals(x)
-        self.defined(x)
-        self.need(POSITIVE, x)
-        self.need(POSITIVE, self.s.difference(self.s.add(("pi",)), x))
-        self.conclude(POSITIVE, self.of("sin", x))
-
-    def axiom_ImaginarySquare(self):
-        unit = self.unit()
-        self.vanishes(self.s.sum([self.s.add(("power", unit, 2)), self.s.number(1)]))
-
-    def axiom_Enclosure(self, p):
+    def step_enclosure(self, p):
         p = read_polynomial(p)
         require(self.s.sign(p) == 1, "the value is not known to be positive")
         self.add(POSITIVE, p)
+
+    def step_axiom(self, name, terms):
+        require(name in AXIOMS, "there is no such axiom")
+        letters, guards, conclusion = AXIOMS[name]
+        require(len(letters) == len(terms), "an axiom of another number of letters")
+        instance = Instance(self.s, dict(zip(letters, terms)))
+        for guard in guards:
+            self.meets(instance, guard)
+        self.conclude(*instance.relation(conclusion))
+
+    def meets(self, instance, guard):
+        word, bracket, inside = guard.partition("(")
+        of = inside.rstrip(")")
+        if guard in ("complex", "reals"):
+            require(self.s.complex == (guard == "complex"), "an axiom of real numbers for complex ones, or the other way")
+        elif bracket and word in ("even", "odd", "natural"):
+            number = instance.written(instance.letters[of])
+            require(word == "natural" or number % 2 == (word == "odd"), "no %s number" % word)
+        elif bracket and word in ("defined", "real", "integer"):
+            term = instance.read(guard[len(word):])
+            {"defined": self.defined, "real": self.reals, "integer": lambda of: self.need(INTEGER, of)}[word](term)
+        else:
+            holds, term = instance.relation(guard)
+            self.defined(term)
+            self.need(holds, term)
+
+
+class Instance:
+    """Reads guards and conclusions of an axiom, with terms for its letters."""
+
+    RELATIONS = ((" = ", ZERO), (" != ", NONZERO), (" >= ", NONNEGATIVE), (" > ", POSITIVE))
+
+    def __init__(self, statement, letters):
+        self.s, self.letters = statement, letters
+
+    def relation(self, text):
+        sign, holds = next(pair for pair in self.RELATIONS if pair[0] in text)
+        left, right = text.split(sign)
+        return holds, self.read(left) if right == "0" else self.s.difference(self.read(left), self.read(right))
+
+    def read(self, text):
+        return self.term(ast.parse(text.strip().replace("^", "**"), mode="eval").body)
+
+    def written(self, term):
+        node = self.s.nodes[term]
+        require(node[0] == "number" and node[1] >= 0 and node[1].denominator == 1, "an index or exponent is not written out")
+        return int(node[1])
+
+    def term(self, node):
+        s = self.s
+        if isinstance(node, ast.Constant):
+            return s.number(node.value)
+        if isinstance(node, ast.Name):
+            return self.letters[node.id] if node.id in self.letters else s.add((node.id,))
+        if isinstance(node, ast.UnaryOp):
+            literal = isinstance(node.operand, ast.Constant)
+            return s.number(-node.operand.value) if literal else s.negative(self.term(node.operand))
+        if isinstance(node, ast.Call):
+            of = [self.term(argument) for argument in node.args]
+            name = {"power": "realpower"}.get(node.func.id, node.func.id)
+            if name == "root":
+                index = self.written(of[0])
+                require(index >= 2, "a root has an index of 2 or more")
+                return s.add(("root", index, of[1]))
+            return s.add((name, *of))
+        if isinstance(node.op, ast.Pow):
+            return s.add(("power", self.term(node.left), self.written(self.term(node.right))))
+        if isinstance(node.op, ast.Mult):
+            factors = [node.right]
+            while isinstance(node.left, ast.BinOp) and isinstance(node.left.op, ast.Mult):
+                node = node.left
+                factors.append(node.right)
+            return s.product([self.term(factor) for factor in [node.left, *reversed(factors)]])
+        left, right = self.term(node.left), self.term(node.right)
+        build = {ast.Add: lambda: s.sum([left, right]), ast.Sub: lambda: s.difference(left, right)}
+        return build.get(type(node.op), lambda: s.quotient(left, right))()
 
 
 def check_proof(statement, certificate):

@@ -8,8 +8,8 @@ use super::{Decision, Options, decided};
 use crate::algebra::{coefficients_in, degree_in};
 use claims::Sheet;
 use kernel::{
-    Axiom, Certificate, Checker, DERIVATIVES_EXIST, Fact, Inference, LawSource, Polynomial, Property, Statement, Term,
-    With, Witness,
+    Axiom, AxiomRow, Certificate, Checker, DERIVATIVES_EXIST, Fact, Inference, LawSource, Polynomial, Property,
+    Statement, Term, With, Witness,
 };
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
@@ -421,6 +421,8 @@ impl Proof {
             Inference::Law { source, at: None } => format!("By {}", self.law(*source)),
             Inference::Law { source, at: Some(at) } => format!("By {}, at {}", self.law(*source), print(*at)),
             Inference::Axiom(axiom) => format!("By the axiom: {}", described(axiom)),
+            Inference::Unfold(_) => "By definition".into(),
+            Inference::Enclosure(_) => "By interval arithmetic".into(),
             Inference::Zero {
                 power,
                 squares,
@@ -526,27 +528,12 @@ fn relation(property: Property) -> &'static str {
     }
 }
 
-/// The name of an axiom in words, and its section in the Digital Library of Mathematical Functions.
+/// The name of an axiom in words, and its source.
 fn described(axiom: &Axiom) -> String {
-    let shown = format!("{axiom:?}");
-    let name = shown
-        .split(|c: char| !c.is_ascii_alphanumeric())
-        .next()
-        .unwrap_or_default();
-    let words = name
-        .chars()
-        .flat_map(|c| [c.is_ascii_uppercase().then_some(' '), Some(c.to_ascii_lowercase())]);
+    let letters = axiom.name.chars();
+    let words = letters.flat_map(|c| [c.is_ascii_uppercase().then_some(' '), Some(c.to_ascii_lowercase())]);
     let words: String = words.flatten().collect();
-    let source = match name {
-        "Unfold" | "ImaginarySquare" => "by definition",
-        "Enclosure" => "by interval arithmetic",
-        _ if name.starts_with("Root") => "the principal root, DLMF 4.2(iv)",
-        _ if name.contains("Arc") => "DLMF 4.23",
-        "SineOfSum" | "CosineOfSum" => "DLMF 4.21",
-        _ if name.starts_with("Sine") || name.starts_with("Cosine") || name == "AngleUnique" => "DLMF 4.14 to 4.17",
-        "Pythagoras" => "DLMF 4.21.12",
-        _ => "DLMF 4.2 and 4.8",
-    };
+    let source = AxiomRow::named(axiom.name).map_or("", |row| row.source);
     format!("{} ({source})", words.trim())
 }
 

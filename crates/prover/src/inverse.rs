@@ -8,7 +8,7 @@ use super::roots;
 use super::session::Session;
 use dashu_int::UBig;
 use dashu_ratio::RBig;
-use kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
+use kernel::{Elementary, Inference, Node, Polynomial, Property, Term};
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 
@@ -64,14 +64,19 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
     if !session.described.insert((function, arc)) {
         return;
     }
-    session.axiom(Axiom::ArcAbove(arc));
-    session.axiom(Axiom::ArcBelow(arc));
+    let [above, below] = match function {
+        Elementary::Arcsin => ["ArcsinAbove", "ArcsinBelow"],
+        Elementary::Arccos => ["ArccosAbove", "ArccosBelow"],
+        _ => ["ArctanAbove", "ArctanBelow"],
+    };
+    session.axiom(above, &[of]);
+    session.axiom(below, &[of]);
     let other = match function {
         Elementary::Arccos => Elementary::Sin,
         _ => Elementary::Cos,
     };
     let other = session.terms().elementary(other, arc);
-    session.axiom(Axiom::Pythagoras(arc));
+    session.axiom("Pythagoras", &[arc]);
     session.triangulate_all();
     let (one, square) = (session.terms().integer(1), session.terms().add(Node::Power(of, 2)));
     if function == Elementary::Arctan {
@@ -158,15 +163,12 @@ fn sign_of_arc(session: &mut Session, arc: Term, of: Term) -> Option<usize> {
         found = session.by_cases(&target, true, property, &target, &mut |session| {
             if session.checker.knows_polynomial(Property::Zero, &target) {
                 let [left, right] = [arc, zero].map(|at| session.terms().elementary(Elementary::Sin, at));
-                session.axiom(Axiom::SineOfZero(zero));
+                session.axiom("SineOfZero", &[zero]);
                 session.step(Inference::Congruence { left, right }).ok()?;
             } else {
-                session.axiom(Axiom::SinePositive(wrong));
+                session.axiom("SinePositive", &[wrong]);
                 if opposite {
-                    session.axiom(Axiom::SineOfNegative {
-                        negative: wrong,
-                        of: arc,
-                    });
+                    session.axiom("SineOfNegative", &[wrong, arc]);
                 }
             }
             session.triangulate_all();
@@ -213,8 +215,8 @@ pub fn show_angle(session: &mut Session, goal: &Polynomial) -> Option<usize> {
     session.show_sign(&turn.plus(&whole), true)?;
     let angle = session.polynomial_term(&whole);
     let zero = session.terms().integer(0);
-    session.axiom(Axiom::SineOfZero(zero));
-    session.axiom(Axiom::CosineOfZero(zero));
+    session.axiom("SineOfZero", &[zero]);
+    session.axiom("CosineOfZero", &[zero]);
     let mut met = BTreeSet::new();
     let mut pairs = Vec::new();
     for function in [Elementary::Sin, Elementary::Cos] {
@@ -227,6 +229,6 @@ pub fn show_angle(session: &mut Session, goal: &Polynomial) -> Option<usize> {
     for (a, b) in pairs {
         session.show_equal(a, b)?;
     }
-    session.axiom(Axiom::AngleUnique([angle, zero]))?;
+    session.axiom("AngleUnique", &[angle, zero])?;
     session.show_zero(goal)
 }

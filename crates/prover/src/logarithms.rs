@@ -8,7 +8,7 @@ use super::roots::{self, Form};
 use super::session::Session;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
-use kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
+use kernel::{Elementary, Inference, Node, Polynomial, Property, Term};
 use std::collections::BTreeSet;
 
 /// Writes the logarithms among these terms by simpler ones, and compares exponents.
@@ -22,7 +22,7 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
     for &term in met {
         match session.node(term) {
             Node::Elementary(Elementary::Ln, of) if !session.is_determined(term) => {
-                session.axiom(Axiom::ExpOfLn(of));
+                session.axiom("ExpOfLn", &[of]);
                 for form in roots::forms(session, of) {
                     if let Some(value) = logarithm(session, &form)
                         && value != term
@@ -32,11 +32,11 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
                     }
                 }
             }
-            Node::RealPower(base, _) => {
+            Node::RealPower(base, exponent) => {
                 if let Some(signed) = session.signed_numerator(base) {
                     session.show_sign(&signed, true);
                 }
-                session.axiom(Axiom::RealPower(term));
+                session.real_power(base, exponent);
             }
             _ => {}
         }
@@ -55,15 +55,15 @@ fn principal(session: &mut Session, term: Term) -> Option<()> {
     let argument = session.numerator_of_polynomial(of)?;
     let right = if argument == Polynomial::integer(1) {
         let zero = session.terms().integer(0);
-        session.axiom(Axiom::ExpOfZero(zero));
-        session.axiom(Axiom::LnOfExp(zero))?;
+        session.axiom("ExpOfZero", &[zero]);
+        session.axiom("LnOfExp", &[zero])?;
         let one = session.terms().elementary(Elementary::Exp, zero);
         session.terms().elementary(Elementary::Ln, one)
     } else {
         let opposite = argument.negated();
         session.show_sign(&opposite, true)?;
         let opposite = session.polynomial_term(&opposite);
-        session.axiom(Axiom::LnOfNegative(opposite))?;
+        session.axiom("LnOfNegative", &[opposite])?;
         let negative = session.terms().negative(opposite);
         session.terms().elementary(Elementary::Ln, negative)
     };
@@ -128,7 +128,7 @@ fn of_positive(session: &mut Session, polynomial: &Polynomial) -> Term {
         return of;
     }
     let base = session.polynomial_term(polynomial);
-    session.axiom(Axiom::ExpOfLn(base));
+    session.axiom("ExpOfLn", &[base]);
     session.terms().elementary(Elementary::Ln, base)
 }
 
@@ -150,14 +150,14 @@ fn exponents_equal(session: &mut Session, a: Term, b: Term) -> Option<usize> {
     }
     for &term in &met {
         if let Node::Elementary(Elementary::Ln, of) = session.node(term) {
-            session.axiom(Axiom::ExpOfLn(of));
+            session.axiom("ExpOfLn", &[of]);
         }
     }
     session.triangulate_all();
     angles::expand(session, &met);
     session.triangulate_all();
     session.show_equal(values[0], values[1])?;
-    let found = session.axiom(Axiom::ExpInjective([a, b]))?;
+    let found = session.axiom("ExpInjective", &[a, b])?;
     session.triangulate_all();
     Some(found)
 }

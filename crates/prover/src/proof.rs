@@ -9,7 +9,7 @@ use super::roots;
 use super::session::Session;
 use super::values;
 use crate::algebra::factors;
-use kernel::{Axiom, Certificate, Elementary, Inference, Node, Polynomial, Property, Statement, Term, With};
+use kernel::{Certificate, Elementary, Inference, Node, Polynomial, Property, Statement, Term, With};
 use std::collections::BTreeSet;
 
 /// The largest power of a sum that is multiplied out rather than kept whole.
@@ -336,7 +336,7 @@ fn given(session: &mut Session) {
     let definitions: Vec<kernel::Symbol> = session.checker.statement.definitions().keys().copied().collect();
     for symbol in definitions {
         let term = session.terms().symbol(symbol);
-        session.axiom(Axiom::Unfold(term));
+        session.unfold(term);
     }
 }
 
@@ -344,38 +344,33 @@ fn given(session: &mut Session) {
 fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
     for &term in met {
         match session.node(term) {
-            Node::Elementary(Elementary::Root(index), _) => {
-                session.axiom(Axiom::RootPower(term));
-                if index % 2 == 0 {
-                    session.axiom(Axiom::RootNonNegative(term));
-                }
-            }
+            Node::Elementary(Elementary::Root(_), _) => session.describe_root(term),
             Node::Elementary(Elementary::Ln, of) => {
-                session.axiom(Axiom::ExpOfLn(of));
+                session.axiom("ExpOfLn", &[of]);
             }
-            Node::Elementary(Elementary::Arcsin, _) => {
-                session.axiom(Axiom::SineOfArcsin(term));
-                session.axiom(Axiom::CosineOfArcsin(term));
+            Node::Elementary(Elementary::Arcsin, of) => {
+                session.axiom("SineOfArcsin", &[of]);
+                session.axiom("CosineOfArcsin", &[of]);
             }
-            Node::Elementary(Elementary::Arccos, _) => {
-                session.axiom(Axiom::CosineOfArccos(term));
-                session.axiom(Axiom::SineOfArccos(term));
+            Node::Elementary(Elementary::Arccos, of) => {
+                session.axiom("CosineOfArccos", &[of]);
+                session.axiom("SineOfArccos", &[of]);
             }
-            Node::Elementary(Elementary::Arctan, _) => {
-                session.axiom(Axiom::SineOfArctan(term));
-                session.axiom(Axiom::CosineOfArctan(term));
+            Node::Elementary(Elementary::Arctan, of) => {
+                session.axiom("SineOfArctan", &[of]);
+                session.axiom("CosineOfArctan", &[of]);
             }
             Node::RealPower(base, exponent) => {
-                session.axiom(Axiom::RealPower(term));
-                integer_power(session, term, base, exponent);
+                session.real_power(base, exponent);
+                integer_power(session, base, exponent);
             }
             Node::Symbol(_) if session.is_integer(term) => {
-                session.axiom(Axiom::IntegerAtLeastOne(term));
+                session.axiom("IntegerAtLeastOne", &[term]);
                 let negative = session.terms().negative(term);
-                session.axiom(Axiom::IntegerAtLeastOne(negative));
+                session.axiom("IntegerAtLeastOne", &[negative]);
             }
             Node::Imaginary => {
-                session.axiom(Axiom::ImaginarySquare);
+                session.axiom("ImaginarySquare", &[]);
             }
             _ => {}
         }
@@ -418,13 +413,8 @@ fn powers_of_one_base(session: &mut Session, met: &BTreeSet<Term>) {
             if is_new && session.show_all(vec![(Property::Nonzero, *base)]).is_none() {
                 let _ = session.show_all(vec![(Property::NonNegative, lowest), (Property::NonNegative, step)]);
             }
-            session.axiom(Axiom::IntegerPowerOfSum { power: *power, parts });
-            let raised = session.terms().add(Node::RealPower(*base, step));
-            let exponent = i32::try_from(apart).unwrap_or_default();
-            session.axiom(Axiom::IntegerPower {
-                power: raised,
-                exponent,
-            });
+            power_of_sum(session, *power, parts);
+            session.axiom("IntegerPower", &[*base, step, step]);
             continue;
         }
         let mut halves = others.filter(|(_, _, _, other)| {
@@ -438,22 +428,34 @@ fn powers_of_one_base(session: &mut Session, met: &BTreeSet<Term>) {
                 session.terms().difference(whole, *half)
             };
             let parts = [*half, rest];
-            session.axiom(Axiom::IntegerPowerOfSum { power: *power, parts });
+            power_of_sum(session, *power, parts);
+        }
+    }
+}
+
+/// An integer power is the product of those to the parts of its exponent.
+fn power_of_sum(session: &mut Session, power: Term, [a, b]: [Term; 2]) {
+    if let Node::RealPower(base, exponent) = session.node(power) {
+        let terms = [base, exponent, a, b];
+        if session.axiom("PowerOfSum", &terms).is_none() {
+            session.axiom("NonzeroPowerOfSum", &terms);
         }
     }
 }
 
 /// Powers of -1 are cosines, those of products are products, for exponents that are integers.
-fn integer_power(session: &mut Session, power: Term, base: Term, exponent: Term) {
+fn integer_power(session: &mut Session, base: Term, exponent: Term) {
     if session.numerator_of_polynomial(base) == Some(Polynomial::integer(-1)) {
-        session.axiom(Axiom::CosineOfHalfTurns(exponent));
+        session.axiom("CosineOfHalfTurns", &[exponent]);
     }
     if let Node::Product(parts) = session.node(base)
         && let Some((&first, rest)) = parts.split_first()
     {
         let rest = session.terms().product(rest.to_vec());
-        let factors = [first, rest];
-        session.axiom(Axiom::IntegerPowerOfProduct { power, factors });
+        let terms = [base, first, rest, exponent];
+        if session.axiom("PowerOfProduct", &terms).is_none() {
+            session.axiom("NonzeroPowerOfProduct", &terms);
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 use super::session::Session;
 use crate::algebra::{Factors, coefficients_in, degree_in, factors};
 use dashu_int::{IBig, UBig};
-use kernel::{Axiom, Elementary, Inference, Node, Polynomial, Term};
+use kernel::{Elementary, Inference, Node, Polynomial, Term};
 use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::BTreeSet;
@@ -117,7 +117,7 @@ fn principal(session: &mut Session, root: Term) -> Option<()> {
     let opposite = radicand.negated();
     session.show_sign(&opposite, false)?;
     let opposite = session.polynomial_term(&opposite);
-    session.axiom(Axiom::RootOfNegative(opposite))?;
+    session.axiom("RootOfNegative", &[opposite])?;
     let negative = session.terms().negative(opposite);
     let right = session.terms().elementary(Elementary::Root(2), negative);
     if right != root {
@@ -400,11 +400,17 @@ impl Session<'_> {
     /// What is known of the roots inside a term by themselves.
     pub fn describe_roots(&mut self, term: Term) {
         for inner in self.checker.statement.terms().inside(term) {
-            if let Node::Elementary(Elementary::Root(index), _) = self.node(inner) {
-                self.axiom(Axiom::RootPower(inner));
-                if index % 2 == 0 {
-                    self.axiom(Axiom::RootNonNegative(inner));
-                }
+            self.describe_root(inner);
+        }
+    }
+
+    /// The power of a root, and its sign.
+    pub fn describe_root(&mut self, root: Term) {
+        if let Node::Elementary(Elementary::Root(index), of) = self.node(root) {
+            let terms = [self.terms().integer(i64::from(index)), of];
+            self.axiom("RootPower", &terms);
+            if index % 2 == 0 {
+                self.axiom("RootNonNegative", &terms);
             }
         }
     }
@@ -429,7 +435,9 @@ impl Session<'_> {
             let signed = self.signed_numerator(value)?;
             self.show_sign(&signed, false)?;
         }
-        self.axiom(Axiom::RootUnique { root, value })
+        let terms = [self.terms().integer(i64::from(index)), of, value];
+        self.axiom("RootUnique", &terms)
+            .or_else(|| self.axiom("OddRootUnique", &terms))
     }
 
     /// The polynomial whose sign is that of a term: the numerator times what divides to an odd power.

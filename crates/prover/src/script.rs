@@ -12,15 +12,16 @@ use super::{Options, decided, proof_in_words};
 use crate::checksum::Checksum;
 use claims::{Goal, Letter, Sheet, Verdict, Word, Words};
 use kernel::{
-    Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property, Quantity,
-    Question, Statement, Summand, Symbol, Term, Terms, With, Witness, WordMultiple, WordSource,
+    AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property,
+    Quantity, Question, Statement, Summand, Symbol, Term, Terms, With, Witness, WordMultiple, WordSource,
 };
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
+use std::sync::LazyLock;
 use texmath::Name;
 
-/// The checker, as each script contains it.
-pub const CHECKER: &str = include_str!("check.py");
+/// The checker, as each script contains it, with the table of axioms.
+pub static CHECKER: LazyLock<String> = LazyLock::new(|| include_str!("check.py").replace("@AXIOMS@", AXIOMS));
 
 /// What was found for a question, and accepted by the kernel.
 #[derive(Clone, Debug)]
@@ -125,7 +126,7 @@ fn script_of_words(sheet: &Sheet, position: usize, options: &Options) -> Option<
     let mut lines = head(&entry.label, &entry.tex.tex, "proved");
     lines.push("# of letters that need not commute, as matrices: products keep their order. What is given are the formulas that it".into());
     lines.push("# follows from, and that each inverse is one; that these say the formulas is trusted.".into());
-    let checker = CHECKER.strip_suffix(SERVES).unwrap_or(CHECKER);
+    let checker = CHECKER.strip_suffix(SERVES).unwrap_or(&CHECKER);
     let data = fields.join(",\n    ");
     Some(sealed(&format!(
         "{}\n\nDATA = {{\"words\": {{\n    {data},\n}}}}\n\nREADINGS = None\n\n{checker}",
@@ -195,7 +196,7 @@ impl Decided {
         if !self.question.instance.is_empty() {
             lines.push(format!("#     ({})", one_line(&self.question.instance)));
         }
-        let checker = CHECKER.strip_suffix(SERVES).unwrap_or(CHECKER);
+        let checker = CHECKER.strip_suffix(SERVES).unwrap_or(&CHECKER);
         let (data, readings) = (self.data(true), formulas.python());
         sealed(&format!(
             "{}\n\nDATA = {data}\n\n{readings}\n\n{checker}",
@@ -575,7 +576,11 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
         Inference::Law { source: law, at } => {
             vec![quoted("law"), source(*law), option(at.as_ref().map(of))]
         }
-        Inference::Axiom(axiom) => self::axiom(numbers, axiom),
+        Inference::Axiom(Axiom { name, terms }) => {
+            vec![quoted("axiom"), quoted(name), numbers.list(terms)]
+        }
+        Inference::Unfold(term) => vec![quoted("unfold"), numbers.of(*term)],
+        Inference::Enclosure(polynomial) => vec![quoted("enclosure"), numbers.polynomial(polynomial)],
         Inference::Zero {
             target,
             power,
@@ -664,48 +669,6 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
     list(parts)
 }
 
-fn axiom(numbers: &Numbers, axiom: &Axiom) -> Vec<String> {
-    use Axiom::{
-        AngleUnique, ArcAbove, ArcBelow, CosineOfArccos, CosineOfArcsin, CosineOfArctan, CosineOfHalfTurns,
-        CosineOfNegative, CosineOfPi, CosineOfSum, CosineOfTurns, CosineOfZero, Enclosure, ExpInjective, ExpNonzero,
-        ExpOfImaginary, ExpOfLn, ExpOfSum, ExpOfZero, ExpPositive, ImaginarySquare, IntegerAtLeastOne, IntegerPower,
-        IntegerPowerOfProduct, IntegerPowerOfSum, LnOfExp, LnOfNegative, Pythagoras, RealPower, RootNonNegative,
-        RootOfNegative, RootPower, RootUnique, SineOfArccos, SineOfArcsin, SineOfArctan, SineOfHalfTurns,
-        SineOfNegative, SineOfPi, SineOfSum, SineOfZero, SinePositive, Unfold,
-    };
-    let shown = format!("{axiom:?}");
-    let name = shown.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or("");
-    let mut parts = vec![quoted("axiom"), quoted(name)];
-    match axiom {
-        SineOfPi | CosineOfPi | ImaginarySquare => {}
-        Unfold(a) | Pythagoras(a) | SineOfZero(a) | CosineOfZero(a) | SineOfHalfTurns(a) | CosineOfTurns(a)
-        | ExpOfZero(a) | ExpPositive(a) | ExpNonzero(a) | ExpOfLn(a) | LnOfExp(a) | RootPower(a)
-        | RootNonNegative(a) | RealPower(a) | SineOfArcsin(a) | CosineOfArccos(a) | SineOfArctan(a)
-        | CosineOfArcsin(a) | SineOfArccos(a) | CosineOfArctan(a) | ArcAbove(a) | ArcBelow(a) | SinePositive(a)
-        | CosineOfHalfTurns(a) | ExpOfImaginary(a) | RootOfNegative(a) | LnOfNegative(a) | IntegerAtLeastOne(a) => {
-            parts.push(numbers.of(*a));
-        }
-        ExpInjective([a, b]) | AngleUnique([a, b]) => parts.extend([numbers.of(*a), numbers.of(*b)]),
-        SineOfNegative { negative: a, of: b }
-        | CosineOfNegative { negative: a, of: b }
-        | RootUnique { root: a, value: b } => parts.extend([numbers.of(*a), numbers.of(*b)]),
-        SineOfSum { sum, parts: [a, b] }
-        | CosineOfSum { sum, parts: [a, b] }
-        | ExpOfSum { sum, parts: [a, b] }
-        | IntegerPowerOfSum {
-            power: sum,
-            parts: [a, b],
-        }
-        | IntegerPowerOfProduct {
-            power: sum,
-            factors: [a, b],
-        } => parts.extend([sum, a, b].map(|term| numbers.of(*term))),
-        IntegerPower { power, exponent } => parts.extend([numbers.of(*power), exponent.to_string()]),
-        Enclosure(polynomial) => parts.push(numbers.polynomial(polynomial)),
-    }
-    parts
-}
-
 /// The terms that a certificate speaks of.
 fn roots_of(certificate: &Certificate, roots: &mut Vec<Term>) {
     roots.extend(&certificate.whole);
@@ -717,14 +680,11 @@ fn roots_of(certificate: &Certificate, roots: &mut Vec<Term>) {
 fn roots_of_step(step: &Inference, roots: &mut Vec<Term>) {
     let mut inside = |polynomial: &Polynomial| roots.extend(polynomial.generators());
     match step {
-        Inference::Given(_)
-        | Inference::Squeezed { .. }
-        | Inference::Derivative(_)
-        | Inference::Along { .. }
-        | Inference::Axiom(Axiom::SineOfPi | Axiom::CosineOfPi | Axiom::ImaginarySquare) => {}
+        Inference::Given(_) | Inference::Squeezed { .. } | Inference::Derivative(_) | Inference::Along { .. } => {}
         Inference::Law { at, .. } => roots.extend(at),
-        Inference::Axiom(Axiom::Enclosure(polynomial)) => inside(polynomial),
-        Inference::Axiom(axiom) => roots.extend(terms_of(axiom)),
+        Inference::Enclosure(polynomial) => inside(polynomial),
+        Inference::Axiom(axiom) => roots.extend(&axiom.terms),
+        Inference::Unfold(term) => roots.push(*term),
         Inference::Zero {
             target, squares, terms, ..
         } => {
@@ -770,18 +730,4 @@ fn roots_of_step(step: &Inference, roots: &mut Vec<Term>) {
             }
         }
     }
-}
-
-/// The terms of an axiom that is no enclosure.
-fn terms_of(axiom: &Axiom) -> Vec<Term> {
-    // the data of an axiom lists its terms after its name
-    let plain = Numbers {
-        base: 0,
-        kept: Vec::new(),
-        number: HashMap::new(),
-    };
-    let exponent = matches!(axiom, Axiom::IntegerPower { .. });
-    let parts = self::axiom(&plain, axiom);
-    let numbers = parts.iter().skip(2).take(if exponent { 1 } else { 3 });
-    numbers.filter_map(|part| part.parse().ok()).map(Term).collect()
 }

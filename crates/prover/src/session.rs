@@ -6,8 +6,8 @@ use crate::algebra::{
 };
 use dashu_ratio::RBig;
 use kernel::{
-    Axiom, Certificate, Checker, Elementary, Fact, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
-    Summand, Symbol, Term, Terms, sign,
+    Axiom, AxiomRow, Certificate, Checker, Elementary, Fact, Inference, Node, Polynomial, Property, Quantity, Refusal,
+    Statement, Summand, Symbol, Term, Terms, sign,
 };
 use num_traits::{One, Zero};
 use numbers::{Field, Rational};
@@ -266,13 +266,31 @@ impl<'a> Session<'a> {
     }
 
     /// Adds an axiom once; nothing where the kernel does not accept it.
-    pub fn axiom(&mut self, axiom: Axiom) -> Option<usize> {
-        let name = format!("{axiom:?}");
+    pub fn axiom(&mut self, name: &'static str, terms: &[Term]) -> Option<usize> {
+        debug_assert!(AxiomRow::named(name).is_some(), "no axiom {name}");
+        let terms = terms.to_vec();
+        self.once(Inference::Axiom(Axiom { name, terms }))
+    }
+
+    /// Writes a whole term, or the symbol of an abbreviation, out.
+    pub fn unfold(&mut self, term: Term) -> Option<usize> {
+        self.once(Inference::Unfold(term))
+    }
+
+    /// What a power whose exponent is any number is by exponential and logarithm.
+    pub fn real_power(&mut self, base: Term, exponent: Term) -> Option<usize> {
+        self.axiom("RealPower", &[base, exponent])
+            .or_else(|| self.axiom("ComplexPower", &[base, exponent]))
+    }
+
+    /// Adds a step once.
+    fn once(&mut self, step: Inference) -> Option<usize> {
+        let name = format!("{step:?}");
         if self.taken.contains(&name) {
             return None;
         }
         // what is not known now may be known later
-        let found = self.step(Inference::Axiom(axiom)).ok()?;
+        let found = self.step(step).ok()?;
         self.taken.insert(name);
         Some(found)
     }
@@ -372,7 +390,7 @@ impl<'a> Session<'a> {
             .position(|fact| fact.property == Property::Positive && fact.polynomial == positive);
         let number = match known {
             Some(number) => number,
-            None => self.step(Inference::Axiom(Axiom::Enclosure(positive))).ok()?,
+            None => self.step(Inference::Enclosure(positive)).ok()?,
         };
         Some((number, sign))
     }

@@ -36,7 +36,7 @@ impl Session<'_> {
             && let Some(found) = sign(self.checker.statement.terms(), polynomial)
         {
             return match found {
-                1 => self.step(Inference::Axiom(Axiom::Enclosure(polynomial.clone()))).ok(),
+                1 => self.step(Inference::Enclosure(polynomial.clone())).ok(),
                 _ => None,
             };
         }
@@ -536,10 +536,10 @@ impl Session<'_> {
         let [sine, of_pi, of_zero] = [argument, pi, zero].map(|at| self.terms().elementary(Elementary::Sin, at));
         let value = Polynomial::generator(sine);
         if self.show_sign(&angle, true).is_some() && self.show_sign(&rest, true).is_some() {
-            return self.axiom(Axiom::SinePositive(argument));
+            return self.axiom("SinePositive", &[argument]);
         }
-        self.axiom(Axiom::SineOfPi);
-        self.axiom(Axiom::SineOfZero(zero));
+        self.axiom("SineOfPi", &[]);
+        self.axiom("SineOfZero", &[zero]);
         self.by_cases(&angle, true, Property::NonNegative, &value, &mut |session| {
             let congruent = |session: &mut Self, other: Term| {
                 let step = Inference::Congruence {
@@ -562,7 +562,10 @@ impl Session<'_> {
                 }
                 if session.checker.knows_polynomial(Property::Positive, &rest) {
                     return session
-                        .step(Inference::Axiom(Axiom::SinePositive(argument)))
+                        .step(Inference::Axiom(Axiom {
+                            name: "SinePositive",
+                            terms: vec![argument],
+                        }))
                         .ok()
                         .map(|_| ());
                 }

@@ -11,7 +11,7 @@ use crate::common::sample;
 use std::collections::{BTreeMap, HashMap};
 use vibro_audit::claim::{Sheet, Statements};
 use vibro_audit::kernel::{
-    Axiom, Certificate, Checker, Inference, LawSource, Node, Polynomial, Property, Statement, Summand, Symbol, Term,
+    AxiomRow, Certificate, Checker, Inference, LawSource, Node, Polynomial, Property, Statement, Summand, Symbol, Term,
     With, follows, questions,
 };
 use vibro_audit::number::{Field, Rational, Sequence};
@@ -65,7 +65,9 @@ impl Visit<'_> {
         match step {
             Inference::Given(_) | Inference::Derivative(_) | Inference::Along { .. } => {}
             Inference::Law { at, .. } => at.iter_mut().for_each(|term| (self.term)(term)),
-            Inference::Axiom(axiom) => self.axiom(axiom),
+            Inference::Axiom(axiom) => axiom.terms.iter_mut().for_each(|term| (self.term)(term)),
+            Inference::Unfold(term) => (self.term)(term),
+            Inference::Enclosure(polynomial) => (self.polynomial)(polynomial),
             Inference::Zero {
                 target,
                 squares,
@@ -130,64 +132,6 @@ impl Visit<'_> {
         for (coefficient, fact) in terms {
             (self.polynomial)(coefficient);
             (self.fact)(fact);
-        }
-    }
-
-    fn axiom(&mut self, axiom: &mut Axiom) {
-        match axiom {
-            Axiom::SineOfPi | Axiom::CosineOfPi | Axiom::ImaginarySquare => {}
-            Axiom::Enclosure(polynomial) => (self.polynomial)(polynomial),
-            Axiom::SineOfSum { sum, parts }
-            | Axiom::CosineOfSum { sum, parts }
-            | Axiom::ExpOfSum { sum, parts }
-            | Axiom::IntegerPowerOfSum { power: sum, parts } => {
-                (self.term)(sum);
-                parts.iter_mut().for_each(|term| (self.term)(term));
-            }
-            Axiom::SineOfNegative { negative, of } | Axiom::CosineOfNegative { negative, of } => {
-                (self.term)(negative);
-                (self.term)(of);
-            }
-            Axiom::IntegerPowerOfProduct { power, factors } => {
-                (self.term)(power);
-                factors.iter_mut().for_each(|term| (self.term)(term));
-            }
-            Axiom::RootUnique { root, value } => {
-                (self.term)(root);
-                (self.term)(value);
-            }
-            Axiom::ExpInjective(pair) | Axiom::AngleUnique(pair) => {
-                pair.iter_mut().for_each(|term| (self.term)(term));
-            }
-            Axiom::Unfold(term)
-            | Axiom::Pythagoras(term)
-            | Axiom::SineOfZero(term)
-            | Axiom::CosineOfZero(term)
-            | Axiom::SineOfHalfTurns(term)
-            | Axiom::CosineOfTurns(term)
-            | Axiom::CosineOfHalfTurns(term)
-            | Axiom::ExpOfImaginary(term)
-            | Axiom::RootOfNegative(term)
-            | Axiom::LnOfNegative(term)
-            | Axiom::IntegerAtLeastOne(term)
-            | Axiom::ExpOfZero(term)
-            | Axiom::ExpPositive(term)
-            | Axiom::ExpNonzero(term)
-            | Axiom::ExpOfLn(term)
-            | Axiom::LnOfExp(term)
-            | Axiom::RootPower(term)
-            | Axiom::RootNonNegative(term)
-            | Axiom::RealPower(term)
-            | Axiom::IntegerPower { power: term, .. }
-            | Axiom::SineOfArcsin(term)
-            | Axiom::CosineOfArccos(term)
-            | Axiom::SineOfArctan(term)
-            | Axiom::CosineOfArcsin(term)
-            | Axiom::SineOfArccos(term)
-            | Axiom::CosineOfArctan(term)
-            | Axiom::ArcAbove(term)
-            | Axiom::ArcBelow(term)
-            | Axiom::SinePositive(term) => (self.term)(term),
         }
     }
 }
@@ -375,37 +319,22 @@ fn broken(certificate: &mut With<Certificate>, kind: usize, random: &mut Sequenc
         }
         5 => {
             let axioms: Vec<usize> = (0..steps.len())
-                .filter(|&n| matches!(steps[n], Inference::Axiom(_)))
+                .filter(|&n| matches!(steps[n], Inference::Axiom(_) | Inference::Enclosure(_)))
                 .collect();
             if axioms.is_empty() {
                 return false;
             }
             let at = axioms[draw(axioms.len())];
-            let which = draw(2);
-            let Inference::Axiom(axiom) = &mut steps[at] else {
-                return false;
-            };
-            *axiom = match axiom.clone() {
-                Axiom::SineOfSum { sum, parts } => Axiom::CosineOfSum { sum, parts },
-                Axiom::CosineOfSum { sum, parts } if which == 0 => Axiom::SineOfSum { sum, parts },
-                Axiom::CosineOfSum { sum, parts } => Axiom::ExpOfSum { sum, parts },
-                Axiom::ExpOfSum { sum, parts } => Axiom::SineOfSum { sum, parts },
-                Axiom::SineOfNegative { negative, of } => Axiom::CosineOfNegative { negative, of },
-                Axiom::CosineOfNegative { negative, of } => Axiom::SineOfNegative { negative, of },
-                Axiom::Pythagoras(of) => Axiom::SinePositive(of),
-                Axiom::RootPower(of) => Axiom::RootNonNegative(of),
-                Axiom::RootNonNegative(of) => Axiom::RootPower(of),
-                Axiom::ExpOfLn(of) => Axiom::LnOfExp(of),
-                Axiom::SineOfArcsin(of) => Axiom::CosineOfArccos(of),
-                Axiom::CosineOfPi => Axiom::SineOfPi,
-                Axiom::SineOfPi => Axiom::CosineOfPi,
-                Axiom::SineOfZero(of) => Axiom::CosineOfZero(of),
-                Axiom::Enclosure(polynomial) => Axiom::Enclosure(polynomial.negated()),
-                other => {
-                    let _ = other;
-                    return false;
+            match &mut steps[at] {
+                Inference::Enclosure(polynomial) => *polynomial = polynomial.negated(),
+                Inference::Axiom(axiom) => {
+                    // another axiom of as many letters
+                    let fits = |row: &&AxiomRow| row.letters.len() == axiom.terms.len() && row.name != axiom.name;
+                    let others: Vec<&AxiomRow> = AxiomRow::all().iter().filter(fits).collect();
+                    axiom.name = others[draw(others.len())].name;
                 }
-            };
+                _ => return false,
+            }
             true
         }
         6 => {
@@ -509,7 +438,7 @@ fn broken(certificate: &mut With<Certificate>, kind: usize, random: &mut Sequenc
                 | Inference::Nonzero { target, .. }
                 | Inference::Sign { target, .. }
                 | Inference::Cases { target, .. } => *target = target.plus(&by),
-                Inference::Given(_) => steps[at] = Inference::Axiom(Axiom::Enclosure(by.negated())),
+                Inference::Given(_) => steps[at] = Inference::Enclosure(by.negated()),
                 _ => return false,
             }
             true

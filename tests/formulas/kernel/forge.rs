@@ -2,8 +2,8 @@
 
 use vibro_audit::claim::{Sheet, Statements, vocabulary};
 use vibro_audit::kernel::{
-    Axiom, Certificate, Function, Inference, LawSource, Polynomial, Question, Refusal, Statement, Symbol, Term,
-    Unreadable, With, Witness, follows, questions, refute,
+    Axiom, Certificate, Elementary, Function, Given, Inference, LawSource, Node, Polynomial, Property, Question,
+    Refusal, Statement, Symbol, Term, Unreadable, With, Witness, follows, questions, refute,
 };
 
 /// A sheet with these lines under `[symbols]`, premises, and one claim.
@@ -120,9 +120,83 @@ pub fn given(statement: &Statement, label: &str, is_law: bool) -> usize {
     found.unwrap_or_else(|| panic!("{label}: {:#?}", statement.givens()))
 }
 
-/// The axiom as a step.
-pub fn axiom(axiom: Axiom) -> Inference {
-    Inference::Axiom(axiom)
+/// An instance of an axiom as a step.
+pub fn axiom(name: &'static str, terms: &[Term]) -> Inference {
+    let terms = terms.to_vec();
+    Inference::Axiom(Axiom { name, terms })
+}
+
+/// An axiom of the argument of a function, of a root or of a power, given by its value; `ArcAbove` and `ArcBelow` are those of
+/// the inverse function that the value is one of.
+pub fn of_value(name: &'static str, value: Term, own: &mut Statement) -> Inference {
+    match own.terms().node(value).clone() {
+        Node::Elementary(Elementary::Root(index), of) => {
+            let index = own.terms_mut().integer(i64::from(index));
+            axiom(name, &[index, of])
+        }
+        Node::Elementary(function, of) => {
+            let own_function = match (name, function) {
+                ("ArcAbove", Elementary::Arcsin) => "ArcsinAbove",
+                ("ArcAbove", Elementary::Arccos) => "ArccosAbove",
+                ("ArcAbove", _) => "ArctanAbove",
+                ("ArcBelow", Elementary::Arcsin) => "ArcsinBelow",
+                ("ArcBelow", Elementary::Arccos) => "ArccosBelow",
+                ("ArcBelow", _) => "ArctanBelow",
+                _ => name,
+            };
+            axiom(own_function, &[of])
+        }
+        Node::RealPower(base, exponent) => match own.is_complex() {
+            true => axiom("ComplexPower", &[base, exponent]),
+            false => axiom("RealPower", &[base, exponent]),
+        },
+        _ => axiom(name, &[value]),
+    }
+}
+
+/// That a root is a value.
+pub fn unique_root(root: Term, value: Term, own: &mut Statement) -> Inference {
+    let Node::Elementary(Elementary::Root(index), of) = own.terms().node(root).clone() else {
+        panic!("no root")
+    };
+    let terms = [own.terms_mut().integer(i64::from(index)), of, value];
+    match index % 2 == 0 || own.is_complex() {
+        true => axiom("RootUnique", &terms),
+        false => axiom("OddRootUnique", &terms),
+    }
+}
+
+/// An integer power whose exponent is written out.
+pub fn integer_power(power: Term, exponent: i32, own: &mut Statement) -> Inference {
+    let Node::RealPower(base, of) = own.terms().node(power).clone() else {
+        panic!("no power")
+    };
+    let terms = [base, of, own.terms_mut().integer(i64::from(exponent).abs())];
+    match exponent < 0 {
+        true => axiom("NegativePower", &terms),
+        false => axiom("IntegerPower", &terms),
+    }
+}
+
+/// An integer power as the product of those to the parts of its exponent, of a base that is given not to be 0.
+pub fn power_of_sum(power: Term, [a, b]: [Term; 2], own: &mut Statement) -> Inference {
+    let Node::RealPower(base, exponent) = own.terms().node(power).clone() else {
+        panic!("no power")
+    };
+    axiom("NonzeroPowerOfSum", &[base, exponent, a, b])
+}
+
+/// An integer power of a product as the product of those of its factors, of factors that are given not to be
+/// 0, else with an exponent that is given not to be negative.
+pub fn power_of_product(power: Term, [a, b]: [Term; 2], own: &mut Statement) -> Inference {
+    let Node::RealPower(base, exponent) = own.terms().node(power).clone() else {
+        panic!("no power")
+    };
+    let is_nonzero = |given: &Given| matches!(given.property, Property::Nonzero | Property::Positive);
+    match own.givens().iter().any(is_nonzero) {
+        true => axiom("NonzeroPowerOfProduct", &[base, a, b, exponent]),
+        false => axiom("PowerOfProduct", &[base, a, b, exponent]),
+    }
 }
 
 /// What comes of a certificate made by `forge`.
