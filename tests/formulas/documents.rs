@@ -2373,6 +2373,10 @@ fn a_letter_of_which_nothing_says_that_it_varies_is_held_fixed_and_this_is_said(
         r"\[ a' = a \]",
         r"\[ \Delta a = b \]",
         r"\[ a(x) = b - c + a(x) \]",
+        r"The speed is $\frac{da}{dx}$.",
+        r"Let $a(x)$ be the area.",
+        r"The load is $a = b - c x$.",
+        r"The area $a$ increases along the beam.",
     ] {
         let verdicts = verdicts_of(&format!("\\section{{Work}}\n{varies} {proved}"));
         assert!(
@@ -2414,6 +2418,25 @@ fn what_stands_at_a_brace_or_above_a_sign_changes_nothing() {
         r"\begin{align*} s &= {\color{red} a + b} + c \\ &= c + b + a \end{align*}",
     ] {
         assert_eq!(verdicts_of(text), ["given", "proved"], "{text}");
+    }
+    // what a brace says holds in its own row
+    let text = r"\begin{align} s &= x + \underbrace{q}_{=0} = x, \\ t &= x + q (x - l) = x. \end{align}";
+    assert_eq!(verdicts_of(text), ["given", "proved", "given", "undecided"]);
+}
+
+#[test]
+fn what_is_given_may_move_under_an_integral() {
+    for text in [
+        r"The current is $I = b e^{-t/\tau}$, so the charge is \[ \int_0^T t I \, dt = \frac{I T^2}{2}. \]",
+        r"\[ p = \begin{cases} q, & x < a \\ 0, & x \geq a \end{cases} \] so \[ \int_0^L x p \, dx = \frac{p L^2}{2}. \]",
+        // nobody calls a displacement constant
+        r"\[ \int_0^L x u \, dx = \frac{u L^2}{2}. \]",
+    ] {
+        let verdicts = verdicts_of(&format!("\\section{{Work}}\n{text}"));
+        assert!(
+            verdicts.last().is_some_and(|last| last != "proved"),
+            "{text}: {verdicts:?}"
+        );
     }
 }
 

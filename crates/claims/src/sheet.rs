@@ -15,7 +15,7 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
-use texmath::{DoubtKind, Equation, Meaning, Symbols, any_side, names_of, speaks_of};
+use texmath::{DoubtKind, Equation, Meaning, Operation, Symbols, any_side, names_of, speaks_of};
 use texmath::{Name, Tree, nearest};
 use toml::Spanned;
 
@@ -310,6 +310,22 @@ impl Sheet {
             return None;
         }
         let names = names_of(&claim.equations);
+        // what was defined is any number, but not where its value may move with a letter that runs
+        let unknown: Vec<Name> = names.into_iter().filter(|name| !self.symbols.knows(name)).collect();
+        let moves = |node: &Tree| match node {
+            Tree::Operation(operation, _) => {
+                let runs = operation.letter().is_some() && !matches!(&**operation, Operation::Series { .. });
+                runs && unknown.iter().any(|name| speaks_of(node, name))
+            }
+            _ => false,
+        };
+        if claim
+            .equations
+            .iter()
+            .any(|equation| any_side(equation, &mut |node| moves(node)))
+        {
+            return None;
+        }
         let mut sheet = self.clone();
         let Self { symbols, entries, .. } = &mut sheet;
         let entry = entries.get_mut(position)?;
@@ -318,8 +334,6 @@ impl Sheet {
         entry
             .doubts
             .retain(|doubt| !matches!(doubt.kind, DoubtKind::SecondValue(_)));
-        // what was defined is any number
-        let unknown: Vec<Name> = names.into_iter().filter(|name| !self.symbols.knows(name)).collect();
         for name in &unknown {
             symbols.declare(name.clone(), Meaning::Parameter);
         }

@@ -1196,7 +1196,7 @@ fn is_description(label: &str) -> bool {
 pub fn says_nothing(above: &str) -> bool {
     let words = above.trim().trim_start_matches(r"\text").replace(r"\mathrm", "");
     let words = words.trim_matches(['{', '}', ' ', '.']);
-    let is_number = !words.is_empty() && words.chars().all(|c| c.is_ascii_digit() || "()[].,!?*".contains(c));
+    let is_number = !words.is_empty() && words.chars().all(|c| c.is_ascii_digit() || "()[].,!*".contains(c));
     let is_reference = [r"\eqref{", r"\ref{", r"(\ref{"]
         .iter()
         .any(|start| words.starts_with(start));

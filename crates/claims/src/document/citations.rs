@@ -121,7 +121,8 @@ impl Cited {
         let is_condition = OF_CONDITIONS
             .iter()
             .any(|word| has_any(&sentence, &[*word]) && !(is_over && *word == "let"));
-        let is_condition = is_condition || says_equal(last);
+        let is_false = sentence.contains("not true") || has_any(&sentence, &["false", "wrong"]);
+        let is_condition = is_condition || is_false || says_equal(last);
         let is_against = has_any(last, &AGAINST);
         let begins_small = behind_environment(&between).starts_with(|c: char| c.is_lowercase());
         Self {

@@ -1,6 +1,6 @@
 //! Letters that vary with others, by what a document prints and says of them: what it differentiates, calls or marks by dots.
 
-use super::members::Members;
+use super::tex::unspaced;
 use std::collections::BTreeSet;
 use texmath::{
     BOLD, Equation, Name, Names, Opaque, Operation, Tree, any, any_side, derivative_of, is_constant, is_opaque,
@@ -10,14 +10,17 @@ use texmath::{
 /// The letters of a document that may vary.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Varying {
+    /// Those that are differentiated, called or marked so, or of which the text says it.
     letters: BTreeSet<String>,
+    /// Those that have a value in terms of others.
+    valued: BTreeSet<String>,
 }
 
 impl Varying {
     /// The letters that equations differentiate by themselves, call, or mark by dots and primes, those behind a sign of a
     /// difference or differential, and those of which the text says that they vary.
-    pub fn of<'e>(equations: impl Iterator<Item = &'e Equation>, texts: &[String], members: &Members) -> Self {
-        let mut letters = members.varying.clone();
+    pub fn of<'e>(equations: impl Iterator<Item = &'e Equation>, texts: &[String], said: &BTreeSet<String>) -> Self {
+        let (mut letters, mut valued) = (said.clone(), BTreeSet::new());
         for equation in equations {
             any_side(equation, &mut |node| {
                 let name = match node {
@@ -40,18 +43,46 @@ impl Varying {
                 letters.extend(name.map(plain));
                 false
             });
+            // what has a value in terms of others
+            if let Tree::Symbol(name, _) = &equation.left
+                && any(
+                    &equation.right,
+                    &mut |node| matches!(node, Tree::Symbol(other, _) if !is_constant(other)),
+                )
+            {
+                valued.insert(plain(name));
+            }
         }
         for text in texts {
             letters.extend(differences(text));
         }
-        Self { letters }
+        Self { letters, valued }
     }
 
-    /// Returns true if a letter may vary with another.
+    /// Returns true if the notation of a letter, or the text, says that it varies.
     pub fn contains(&self, name: &Name) -> bool {
         self.letters.contains(&plain(name))
     }
+
+    /// Returns true if an equation gives a letter in terms of others.
+    pub fn has_value(&self, name: &Name) -> bool {
+        self.valued.contains(&plain(name))
+    }
+
+    /// Returns true if a letter is constant by convention: one of those that authors take for constants, or the value at a start,
+    /// `x_0`, of which the document does not say that it varies.
+    fn is_constant(&self, name: &Name) -> bool {
+        (CONSTANTS.contains(&name.base.as_str()) || name.subscript == "0")
+            && !self.contains(name)
+            && !self.has_value(name)
+    }
 }
+
+/// Letters that are constants by convention, the first ones of the alphabet since Descartes (La Geometrie, 1637).
+const CONSTANTS: [&str; 22] = [
+    "a", "b", "c", "g", "k", "m", "n", "A", "B", "C", "M", "N", r"\alpha", r"\beta", r"\gamma", r"\kappa", r"\lambda",
+    r"\mu", r"\sigma", r"\tau", r"\omega", r"\hbar",
+];
 
 /// A name as it prints without dots and primes.
 fn plain(name: &Name) -> String {
@@ -90,7 +121,7 @@ const BEFORE: [&str; 14] = [
 
 /// The letters right behind signs of a difference, derivative or differential, but for that of an integral: `\mathrm{d}x`.
 fn differences(tex: &str) -> Vec<String> {
-    let shown = super::guess::plain(tex);
+    let shown = unspaced(tex);
     let mut found = Vec::new();
     for sign in BEFORE {
         for (at, _) in shown.match_indices(sign) {
@@ -122,6 +153,65 @@ fn differences(tex: &str) -> Vec<String> {
         }
     }
     found
+}
+
+/// The letters that a formula within the text says to vary: what it differentiates, calls, dots or relates to others, `$\dot m$`,
+/// `$m(t)$`, `$p = a - b q$`.
+pub(super) fn varying_within(tex: &str) -> Vec<String> {
+    let mut found = differences(tex);
+    let shown = unspaced(&with_commands(tex));
+    let bold = Names {
+        opaque: Some(Opaque::default()),
+        ..Names::default()
+    };
+    let relations = [
+        r"\propto", r"\approx", r"\sim", r"\to", r"\le", r"\ge", r"\mapsto", r"\equiv", "=", "<", ">", ":",
+    ];
+    let left = relations.iter().filter_map(|sign| shown.find(sign)).min();
+    if let Some((left, right)) = left.and_then(|at| shown.split_at_checked(at))
+        && right.contains(|c: char| c.is_ascii_alphabetic())
+    {
+        found.extend(
+            read_name(left.trim_end_matches(':'), &bold)
+                .ok()
+                .map(|name| plain(&name)),
+        );
+    }
+    for (at, _) in [r"\dot", r"\ddot", "'", "("]
+        .iter()
+        .flat_map(|sign| shown.match_indices(sign))
+    {
+        let behind = shown.get(at..).unwrap_or_default();
+        let before = shown.get(..at).unwrap_or_default();
+        let name = match behind.starts_with('\\') {
+            true => letters_at(
+                behind
+                    .trim_start_matches(r"\ddot")
+                    .trim_start_matches(r"\dot")
+                    .trim_start_matches('{'),
+            ),
+            false => last_letter(before),
+        };
+        found.extend(name);
+    }
+    found
+}
+
+/// The letter or command that a text begins with.
+fn letters_at(text: &str) -> Option<String> {
+    let commands = text
+        .strip_prefix('\\')
+        .map(|rest| rest.chars().take_while(char::is_ascii_alphabetic).count());
+    text.get(..commands.map_or(1, |length| length + 1)).map(str::to_owned)
+}
+
+/// The letter or command that a text ends with.
+fn last_letter(text: &str) -> Option<String> {
+    let name = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    match text.get(name.len()..).filter(|_| name.ends_with('\\')) {
+        Some(command) => Some(format!("\\{command}")),
+        None => text.chars().next_back().map(String::from),
+    }
 }
 
 /// What equations hold of letters that may vary.
@@ -177,7 +267,7 @@ impl Dependence {
         let others = names.iter().filter(|name| *name != by && !is_constant(name));
         for name in others.filter(|name| !is_value(name, by) && !is_of_time(name, by)) {
             // what does not speak of the letter itself would be a constant, of which nobody takes a derivative
-            let is_held = moves && !varying.contains(name) && !is_opaque(name);
+            let is_held = moves && varying.is_constant(name);
             self.is_open |= !is_held;
             self.held.extend(is_held.then(|| (name.to_string(), by.to_string())));
         }
@@ -222,7 +312,7 @@ const LONGEST: usize = 40;
 /// The letters that formulas print with dots, where a formula holds the derivative by time of more than one letter: functions of time.
 pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> Vec<Name> {
     let takes_rates = |tex: &str| {
-        let shown = super::guess::plain(tex);
+        let shown = unspaced(tex);
         BY_TIME.iter().any(|sign| shown.contains(sign))
     };
     let mut found = Vec::new();

@@ -13,6 +13,7 @@ use super::marks::{Marked, Marks, OF_COMPLEX, Stated};
 use super::members::{Members, prints_letter_t};
 use super::outline::Outline;
 use super::scan::Formula;
+use super::tex::unspaced;
 use crate::words::{Reader, is_sign_of_transpose, transposed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
@@ -580,7 +581,7 @@ impl Guess {
         let mut factors: BTreeSet<String> = symbols.parameters().map(|name| name.base.clone()).collect();
         let shown = formulas
             .iter()
-            .map(|formula| plain(formula.tex.as_deref().unwrap_or_default()));
+            .map(|formula| unspaced(formula.tex.as_deref().unwrap_or_default()));
         let called: BTreeSet<String> = shown.flat_map(|shown| called_with_a_letter(&shown)).collect();
         let t_is_letter = members.t_is_letter
             || formulas
@@ -630,7 +631,7 @@ impl Guess {
             if let Tree::Symbol(name, _) = &equation.left {
                 let mut letters = names.iter().filter(|name| !is_constant(name));
                 if let (Some(one), None) = (letters.next(), letters.next()) {
-                    applied.insert(plain(&format!("{name}({one}")));
+                    applied.insert(unspaced(&format!("{name}({one}")));
                 }
                 // i = \sqrt{-1} says what it is
                 given.extend((is_constant(name) && !names.contains(name)).then(|| name.clone()));
@@ -646,7 +647,7 @@ impl Guess {
         }
         let all: Vec<String> = formulas
             .iter()
-            .map(|formula| plain(formula.tex.as_deref().unwrap_or_default()))
+            .map(|formula| unspaced(formula.tex.as_deref().unwrap_or_default()))
             .collect();
         let is_of_time = |letter: &str| functions.iter().any(|name| name.base == letter);
         let called = all.iter().flat_map(|shown| letters_called(shown, &is_of_time));
@@ -679,7 +680,7 @@ impl Guess {
             factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
             spoken_last: spoken_last(formulas, &read),
-            varying: Varying::of(read.iter().flatten(), &all, members),
+            varying: Varying::of(read.iter().flatten(), &all, &members.varying),
             read,
             constants,
             given,
@@ -980,10 +981,15 @@ impl Guess {
     }
 
     /// True if definitions give a letter by another one and by letters of which nothing is a derivative.
-    fn is_value(&self, name: &Name, by: &Name) -> bool {
+    fn is_value(&self, name: &Name, by: &Name, is_partial: bool) -> bool {
         let reached = self.reached(&BTreeSet::from([name.clone()]));
         let speaks = |own: &Name| own == by || (by.to_string() == TIME && self.is_of_time(own, by));
-        let is_known = |own: &Name| own == name || own == by || self.is_of_time(own, by) || !self.varying.contains(own);
+        // a partial derivative holds what stands beside its letter fixed, whatever else is said of that
+        let may_move = |own: &Name| {
+            let is_written_out = self.definitions.contains_key(own);
+            self.varying.contains(own) || (!is_partial && !is_written_out && self.varying.has_value(own))
+        };
+        let is_known = |own: &Name| own == name || own == by || self.is_of_time(own, by) || !may_move(own);
         self.definitions.contains_key(name) && reached.iter().any(speaks) && reached.iter().all(is_known)
     }
 
@@ -1152,7 +1158,7 @@ impl Guess {
 
     /// Returns the question that formula number `at` leaves open, so that nothing is decided of it.
     fn question(&self, at: usize, tex: &str) -> Option<&'static str> {
-        let shown = plain(tex);
+        let shown = unspaced(tex);
         let inverts = |letter: &String| {
             [r"^{-1}", r"^-1"]
                 .iter()
@@ -1195,7 +1201,7 @@ impl Guess {
             let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
             if is_some(&mut is_left_out) {
                 Some("what do the dots stand for?")
-            } else if self.dependence(equation).is_open
+            } else if self.dependence(equation, shown.contains(r"\partial")).is_open
                 || is_with_and_without_time(equation)
                 || is_some(&mut is_rate)
                 || (is_some(&mut is_opaque_symbol) && is_some(&mut binds))
@@ -1281,7 +1287,10 @@ impl Guess {
         let mut held = BTreeSet::new();
         if !self.has_symbols {
             let all: Vec<&Equation> = stated.own.iter().chain(&stated.below).copied().collect();
-            held = all.iter().flat_map(|equation| self.dependence(equation).held).collect();
+            held = all
+                .iter()
+                .flat_map(|equation| self.dependence(equation, true).held)
+                .collect();
             for letter in Constants::LETTERS
                 .into_iter()
                 .filter(|letter| self.constants.is_doubtful(letter, &all))
@@ -1329,8 +1338,8 @@ impl Guess {
     }
 
     /// Returns what an equation differentiates or integrates by what, and whether that varies with it.
-    fn dependence(&self, equation: &Equation) -> Dependence {
-        let is_value = |name: &Name, by: &Name| self.is_value(name, by);
+    fn dependence(&self, equation: &Equation, is_partial: bool) -> Dependence {
+        let is_value = |name: &Name, by: &Name| self.is_value(name, by, is_partial);
         Dependence::of(equation, &self.varying, &is_value, &|name, by| {
             self.is_of_time(name, by)
         })
@@ -1873,14 +1882,6 @@ fn has_adjoint(shown: &str) -> bool {
             .filter_map(|(at, _)| shown.get(..at)?.chars().next_back());
         before.any(|c| c.is_ascii_uppercase())
     })
-}
-
-/// A formula without blanks and sizes of brackets.
-pub(super) fn plain(tex: &str) -> String {
-    tex.replace(r"\left", "")
-        .replace(r"\right", "")
-        .split_whitespace()
-        .collect()
 }
 
 /// Returns true if a letter stands at the running time and by itself, `A(t) = A`: as a function and as a value of it, or as two.

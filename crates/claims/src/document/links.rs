@@ -84,6 +84,9 @@ struct Part {
     is_beside: bool,
 }
 
+/// Letters that are variables by convention: an equation that gives one says where the other holds.
+const VARIABLES: [&str; 9] = ["t", "x", "y", "z", "r", "s", r"\theta", r"\phi", r"\varphi"];
+
 /// Words and signs between equations that are printed side by side.
 const BETWEEN: [&str; 4] = ["", "and", "where", "with"];
 
@@ -125,7 +128,8 @@ fn side_by_side(tex: &str) -> Vec<Range<usize>> {
             return Vec::new();
         };
         // `x = L`, `\theta = \pi/2`
-        let is_value = is_name(left) && (is_name(right) || letters_of(right).is_empty());
+        let is_variable = VARIABLES.contains(&left.trim());
+        let is_value = is_name(left) && (is_variable || is_name(right) || letters_of(right).is_empty());
         let has_words = [r"\text", r"\mbox", r"\dots", r"\ldots"]
             .iter()
             .any(|sign| own.contains(sign));

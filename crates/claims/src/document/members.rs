@@ -1,5 +1,6 @@
 //! Letters of which a document says in which set they lie, `$z \in \mathbb{C}$`, or that it marks by how it prints them.
 
+use super::dependence::varying_within;
 use std::collections::BTreeSet;
 
 /// The letters that a text marks as complex, and as matrices, vectors or operators.
@@ -50,15 +51,27 @@ pub(super) struct Members {
 const FARTHEST: usize = 60;
 
 /// Words that say that something varies.
-const OF_VARYING: [&str; 8] = [
+const OF_VARYING: [&str; 20] = [
     "function of",
     "functions of",
     "depend",
     "vary",
     "varies",
     "varying",
-    "time-dependent",
     "field",
+    "increas",
+    "decreas",
+    "chang",
+    "grows",
+    "rises",
+    "falls",
+    "oscillat",
+    "random",
+    "stochastic",
+    "smooth",
+    "differentiable",
+    "solution",
+    "process",
 ];
 
 /// The most equations within the text that may bear on one formula.
@@ -249,6 +262,9 @@ impl Members {
             && ["I", r"\mathbf{I}", r"\mathbf I", r"\mathbb{1}", r"\mathbf{1}"]
                 .iter()
                 .any(|own| speaks_of(own));
+        members
+            .varying
+            .extend(inline.iter().flat_map(|formula| varying_within(formula)));
         members.t_is_letter = text.contains(r"\(T\)") || inline.iter().any(|formula| prints_letter_t(formula));
         // `x = 2` says what x is, and no more
         let is_more = |side: &str| {

@@ -288,6 +288,12 @@ pub(super) struct Scan<'a> {
     ended: bool,
 }
 
+/// Returns true if a formula parts equations by blanks.
+fn is_side_by_side(text: &str, formula: Option<&Formula>) -> bool {
+    let own = formula.and_then(|formula| text.get(formula.part.clone()));
+    own.is_some_and(|own| own.contains(r"\quad") || own.contains(r"\qquad"))
+}
+
 impl<'a> Scan<'a> {
     /// Reads a document and what it includes; `preamble` defines macros and prints nothing.
     pub fn new(text: &str, preamble: &str, markup: Markup, include: Include<'a>) -> Self {
@@ -1285,7 +1291,17 @@ impl<'a> Scan<'a> {
         }
         if self.formulas.len() > first {
             for (part, said) in asides::at_braces(&self.text, start..end) {
-                self.keep_aside(part, &said, Announced::Behind, first, end);
+                // it holds of its row, and of the links behind it
+                let rows = self.formulas.get(first..).unwrap_or_default();
+                let own = rows
+                    .iter()
+                    .position(|row| row.part.start <= part.start && part.start < row.part.end);
+                let Some(own) = own.filter(|own| !is_side_by_side(&self.text, rows.get(*own))) else {
+                    continue;
+                };
+                let links = rows.iter().skip(own + 1).take_while(|row| row.is_link);
+                let until = links.last().or(rows.get(own)).map_or(end, |row| row.part.end);
+                self.keep_aside(part, &said, Announced::Behind, first + own, until);
             }
         }
         // what is said behind a display of one number is said of all of it

@@ -15,6 +15,14 @@ pub(super) fn command(text: &str, at: usize) -> (&str, usize) {
     (rest.get(..length).unwrap_or_default(), at + 1 + length)
 }
 
+/// A formula without blanks and sizes of brackets.
+pub(super) fn unspaced(tex: &str) -> String {
+    tex.replace(r"\left", "")
+        .replace(r"\right", "")
+        .split_whitespace()
+        .collect()
+}
+
 /// Where blanks that start at byte `at` end.
 pub(super) fn after_blanks(text: &str, at: usize) -> usize {
     let rest = text.get(at..).unwrap_or_default();
