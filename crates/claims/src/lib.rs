@@ -15,8 +15,10 @@
 mod check;
 mod circle;
 mod definition;
+mod determining;
 mod document;
 mod doubts;
+mod elaborate;
 mod entry;
 mod exponents;
 mod fault;
@@ -36,6 +38,7 @@ mod words;
 
 pub use definition::Local;
 pub use document::{Document, Include, Markup, PrintedNumber};
+pub use elaborate::{Question, Unreadable, questions};
 pub use entry::{Entry, Role, Standing};
 pub use fault::{Fault, Source};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
@@ -46,4 +49,4 @@ pub use reduce::{
 };
 pub use sheet::{Sheet, read_symbols};
 pub use verdict::Verdict;
-pub use words::{Letter, Word, WordQuestion, Words};
+pub use words::word_question;

@@ -2,7 +2,8 @@
 
 use super::functional::{Mean, has_sums, mean, with_sums};
 use super::premise::Statements;
-use num_traits::{One, Zero};
+use kernel::{Letter, Word, WordQuestion, Words, has_arrow};
+use num_traits::One;
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use texmath::{
@@ -19,272 +20,89 @@ const DEEPEST: usize = 20;
 /// The beginning of the names that means have as factors.
 const MEAN: &str = "mean ";
 
-/// Accents of vectors.
-const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
-
-/// A factor that keeps its place.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Letter {
-    pub name: String,
-    pub is_transposed: bool,
-}
-
-/// A product: its commuting factors with their powers, and the others in their order.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Word {
-    pub scalars: BTreeMap<String, i32>,
-    pub letters: Vec<Letter>,
-}
-
-impl Word {
-    /// Returns the product of two words.
-    pub fn times(&self, other: &Self) -> Self {
-        let mut product = self.clone();
-        for (factor, power) in &other.scalars {
-            *product.scalars.entry(factor.clone()).or_default() += power;
-        }
-        product.scalars.retain(|_, power| *power != 0);
-        product.letters.extend(other.letters.iter().cloned());
-        product
-    }
-
-    /// Returns the word whose factors, each transposed, stand in the other order.
-    fn transposed(&self) -> Self {
-        let letter = |letter: &Letter| Letter {
-            name: letter.name.clone(),
-            is_transposed: !letter.is_transposed,
+/// Reads claim and premises; `None` where they say more than that equations hold, or cannot be written in words.
+///
+/// `columns` says that small letters are columns, so that `x^T A y` is a number.
+pub fn word_question(statements: &Statements, operators: &BTreeSet<String>, columns: bool) -> Option<WordQuestion> {
+    // a member of a family keeps its place where another does
+    let is_member = |name: &Name| {
+        let bare = Name {
+            subscript: String::new(),
+            ..name.clone()
         };
-        Self {
-            scalars: self.scalars.clone(),
-            letters: self.letters.iter().rev().map(letter).collect(),
-        }
-    }
-
-    /// Returns true if this is a number: a column transposed, matrices, a column.
-    fn is_form(&self) -> bool {
-        match self.letters.as_slice() {
-            [first, inner @ .., last] => {
-                let is_column = |letter: &Letter| is_small(&letter.name);
-                first.is_transposed
-                    && is_column(first)
-                    && is_column(last)
-                    && !last.is_transposed
-                    && !inner.iter().any(is_column)
-            }
-            _ => false,
-        }
-    }
-
-    /// Counts its factors under an arrow: a product of these is a number, and not associative.
-    pub fn vectors(&self) -> usize {
-        self.letters.iter().filter(|letter| has_arrow(letter)).count()
-    }
-}
-
-/// A sum of words with their coefficients, none of which is 0.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Words(BTreeMap<Word, Rational>);
-
-impl Words {
-    /// Returns its value at numbers, which are their own transposes; nothing where a factor has none, or is 0 and divided by.
-    pub fn value(&self, point: &BTreeMap<String, Rational>) -> Option<Rational> {
-        let mut sum = Rational::zero();
-        for (word, coefficient) in self.terms() {
-            let letters = word.letters.iter().map(|letter| (&letter.name, 1));
-            let scalars = word.scalars.iter().map(|(name, power)| (name, *power));
-            let mut product = coefficient.clone();
-            for (name, power) in letters.chain(scalars) {
-                let value = point.get(name)?.clone();
-                let factor = match power < 0 {
-                    true if value.is_zero() => return None,
-                    true => Rational::one() / value,
-                    false => value,
-                };
-                for _ in 0..power.unsigned_abs() {
-                    product *= factor.clone();
-                }
-            }
-            sum += product;
-        }
-        Some(sum)
-    }
-
-    /// Makes a number of one word.
-    pub fn of(word: Word, coefficient: Rational) -> Self {
-        let mut words = Self::default();
-        words.add(word, coefficient);
-        words
-    }
-
-    fn constant(value: Rational) -> Self {
-        Self::of(Word::default(), value)
-    }
-
-    /// Iterates over the words with their coefficients.
-    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Word, &Rational)> + Clone {
-        self.0.iter()
-    }
-
-    /// Returns true if this is 0 in every ring.
-    pub fn is_zero(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// Adds a multiple of a word.
-    pub fn add(&mut self, word: Word, coefficient: Rational) {
-        let total = match self.0.remove(&word) {
-            Some(known) => known + coefficient,
-            None => coefficient,
+        let bare = bare.to_string();
+        let is_one = |own: &String| {
+            own.strip_prefix(&bare)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
         };
-        if !total.is_zero() {
-            self.0.insert(word, total);
+        name.subscript.contains(BOUND[0]) && operators.iter().any(is_one)
+    };
+    let holds_bound = |name: &Name| name.base.contains(BOUND[0]) && !operators.is_empty() && is_opaque(name);
+    let is_operator = |name: &Name| operators.contains(&name.to_string()) || is_member(name) || holds_bound(name);
+    let mut reader = Reader::new(&is_operator);
+    (reader.may_transpose, reader.has_columns) = (!operators.is_empty(), columns);
+    for local in &statements.locals {
+        reader.give(&local.name, &local.tree);
+    }
+    let mut premises = Vec::new();
+    reader.keep_readable();
+    for premise in &statements.premises {
+        let is_plain = premise.assume.is_empty() && premise.equation.relation == Relation::Equal;
+        match &premise.equation.left {
+            // of numbers all that is given counts, lest it contradict itself
+            _ if !is_plain && operators.is_empty() => return None,
+            _ if !is_plain => {}
+            Tree::Symbol(name, _) if reader.give(name, &premise.equation.right) => {}
+            _ => premises.push(&premise.equation),
         }
     }
-
-    /// Adds the product of a number, a word in front, another sum, and a word behind.
-    pub fn add_between(&mut self, coefficient: &Rational, front: &Word, words: &Self, behind: &Word) {
-        for (word, own) in &words.0 {
-            self.add(front.times(word).times(behind), own.clone() * coefficient.clone());
-        }
+    for claim in &statements.claims {
+        reader.take_constants(claim);
     }
-
-    /// Returns the sum of each word transposed.
-    pub fn transposed(&self) -> Self {
-        let mut words = Self::default();
-        for (word, coefficient) in &self.0 {
-            words.add(word.transposed(), coefficient.clone());
-        }
-        words
+    reader.keep_readable();
+    // what cannot be written in words is not used
+    let mut givens: Vec<Words> = Vec::new();
+    for premise in premises {
+        givens.extend(reader.difference(premise));
     }
-
-    /// Returns the sum with each coefficient negated.
-    pub fn negated(&self) -> Self {
-        let mut words = Self::default();
-        words.add_between(&-Rational::one(), &Word::default(), self, &Word::default());
-        words
+    let known: BTreeSet<String> = reader.inverted.keys().cloned().collect();
+    let rests = !givens.is_empty() || !reader.values.is_empty();
+    let mut claims = Vec::new();
+    for claim in &statements.claims {
+        claims.push(reader.difference(claim).filter(|_| claim.relation == Relation::Equal)?);
     }
-
-    fn plus(mut self, other: &Self) -> Self {
-        self.add_between(&Rational::one(), &Word::default(), other, &Word::default());
-        self
-    }
-
-    /// Multiplies out; `None` where it is too large, or where three vectors meet: (b c) d of vectors is not b (c d).
-    fn times(&self, other: &Self) -> Option<Self> {
-        let vectors = |words: &Self| words.0.keys().map(Word::vectors).max().unwrap_or_default();
-        if self.0.len().saturating_mul(other.0.len()) > MOST_TERMS || vectors(self) + vectors(other) > 2 {
-            return None;
-        }
-        let mut product = Self::default();
-        for (word, coefficient) in &self.0 {
-            product.add_between(coefficient, word, other, &Word::default());
-        }
-        Some(product)
-    }
-
-    /// The only term.
-    fn only(&self) -> Option<(&Word, &Rational)> {
-        let mut terms = self.0.iter();
-        let only = terms.next()?;
-        terms.next().is_none().then_some(only)
-    }
-}
-
-/// A claim about letters that need not commute: sums of words that vanish where those that are given do.
-#[derive(Clone, Debug, Default)]
-pub struct WordQuestion {
-    pub claims: Vec<Words>,
-    /// The premises, and that each inverse is one, as sums that vanish.
-    pub givens: Vec<Words>,
-    /// Conditions that the claim rests on: lengths of sums, `n \ge 0`, and inverses that it brings in.
-    pub provided: Vec<String>,
-}
-
-impl WordQuestion {
-    /// Reads claim and premises; `None` where they say more than that equations hold, or cannot be written in words.
-    ///
-    /// `columns` says that small letters are columns, so that `x^T A y` is a number.
-    pub fn of(statements: &Statements, operators: &BTreeSet<String>, columns: bool) -> Option<Self> {
-        // a member of a family keeps its place where another does
-        let is_member = |name: &Name| {
-            let bare = Name {
-                subscript: String::new(),
-                ..name.clone()
-            };
-            let bare = bare.to_string();
-            let is_one = |own: &String| {
-                own.strip_prefix(&bare)
-                    .is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
-            };
-            name.subscript.contains(BOUND[0]) && operators.iter().any(is_one)
+    // x^T A y is a number, and its own transpose
+    let words = claims.iter().chain(&givens).flat_map(Words::terms);
+    let forms: BTreeSet<Vec<Letter>> = words
+        .filter(|(word, _)| columns && !reader.has_adjoints && is_form(word))
+        .map(|(word, _)| word.letters.clone())
+        .collect();
+    for letters in forms {
+        let word = Word {
+            scalars: BTreeMap::new(),
+            letters,
         };
-        let holds_bound = |name: &Name| name.base.contains(BOUND[0]) && !operators.is_empty() && is_opaque(name);
-        let is_operator = |name: &Name| operators.contains(&name.to_string()) || is_member(name) || holds_bound(name);
-        let mut reader = Reader::new(&is_operator);
-        (reader.may_transpose, reader.has_columns) = (!operators.is_empty(), columns);
-        for local in &statements.locals {
-            reader.give(&local.name, &local.tree);
-        }
-        let mut premises = Vec::new();
-        reader.keep_readable();
-        for premise in &statements.premises {
-            let is_plain = premise.assume.is_empty() && premise.equation.relation == Relation::Equal;
-            match &premise.equation.left {
-                // of numbers all that is given counts, lest it contradict itself
-                _ if !is_plain && operators.is_empty() => return None,
-                _ if !is_plain => {}
-                Tree::Symbol(name, _) if reader.give(name, &premise.equation.right) => {}
-                _ => premises.push(&premise.equation),
-            }
-        }
-        for claim in &statements.claims {
-            reader.take_constants(claim);
-        }
-        reader.keep_readable();
-        // what cannot be written in words is not used
-        let mut givens: Vec<Words> = Vec::new();
-        for premise in premises {
-            givens.extend(reader.difference(premise));
-        }
-        let known: BTreeSet<String> = reader.inverted.keys().cloned().collect();
-        let rests = !givens.is_empty() || !reader.values.is_empty();
-        let mut claims = Vec::new();
-        for claim in &statements.claims {
-            claims.push(reader.difference(claim).filter(|_| claim.relation == Relation::Equal)?);
-        }
-        // x^T A y is a number, and its own transpose
-        let words = claims.iter().chain(&givens).flat_map(Words::terms);
-        let forms: BTreeSet<Vec<Letter>> = words
-            .filter(|(word, _)| columns && !reader.has_adjoints && word.is_form())
-            .map(|(word, _)| word.letters.clone())
-            .collect();
-        for letters in forms {
-            let word = Word {
-                scalars: BTreeMap::new(),
-                letters,
-            };
-            let form = Words::of(word, Rational::one());
-            let given = form.clone().plus(&form.transposed().negated());
-            givens.extend((!given.is_zero()).then_some(given));
-        }
-        givens.extend(reader.inverses());
-        // an inverse that nothing speaks of before
-        let new = reader
-            .inverted
-            .iter()
-            .filter(|(name, _)| rests && !known.contains(*name));
-        let new: Vec<String> = new.map(|(_, of)| format!("{of} has an inverse")).collect();
-        reader.provided.extend(new);
-        if claims.is_empty() {
-            return None;
-        }
-        let provided = reader.provided.into_iter().collect();
-        Some(Self {
-            claims,
-            givens,
-            provided,
-        })
+        let form = Words::of(word, Rational::one());
+        let given = form.clone().plus(&form.transposed().negated());
+        givens.extend((!given.is_zero()).then_some(given));
     }
+    givens.extend(reader.inverses());
+    // an inverse that nothing speaks of before
+    let new = reader
+        .inverted
+        .iter()
+        .filter(|(name, _)| rests && !known.contains(*name));
+    let new: Vec<String> = new.map(|(_, of)| format!("{of} has an inverse")).collect();
+    reader.provided.extend(new);
+    if claims.is_empty() {
+        return None;
+    }
+    let provided = reader.provided.into_iter().collect();
+    Some(WordQuestion {
+        claims,
+        givens,
+        provided,
+    })
 }
 
 /// Writes trees as sums of words.
@@ -395,7 +213,7 @@ impl<'a> Reader<'a> {
     fn inverses(&self) -> Vec<Words> {
         let mut given = Vec::new();
         for (name, of) in &self.met {
-            let commutes = of.0.keys().all(|word| word.letters.is_empty());
+            let commutes = of.words().all(|word| word.letters.is_empty());
             let inverse = match commutes {
                 true => scalar(name),
                 false => letter(name),
@@ -432,7 +250,7 @@ impl<'a> Reader<'a> {
                 for part in parts {
                     sum = sum.plus(&self.expanded(part, depth)?);
                 }
-                (sum.0.len() <= MOST_TERMS).then_some(sum)
+                (sum.size() <= MOST_TERMS).then_some(sum)
             }
             Tree::Product(factors) => {
                 let mut product = Words::constant(Rational::one());
@@ -453,7 +271,7 @@ impl<'a> Reader<'a> {
                 let mut of = self.expanded(of, depth)?;
                 if *exponent < 0 {
                     of = self.inverse(&of)?;
-                    let factors = of.0.keys().flat_map(|word| &word.letters);
+                    let factors = of.words().flat_map(|word| &word.letters);
                     let names: Vec<String> = factors.map(|letter| letter.name.clone()).collect();
                     for name in names.into_iter().filter(|name| self.met.contains_key(name)) {
                         self.inverted.entry(name).or_insert_with(|| format!("${printed}$"));
@@ -464,14 +282,14 @@ impl<'a> Reader<'a> {
             // a quotient does not say on which side the divisor stands
             Tree::Quotient(above, below, _) => {
                 let below = self.expanded(below, depth)?;
-                let commutes = below.0.keys().all(|word| word.letters.is_empty());
+                let commutes = below.words().all(|word| word.letters.is_empty());
                 let inverse = commutes.then(|| self.inverse(&below)).flatten()?;
                 self.expanded(above, depth)?.times(&inverse)
             }
             Tree::RealPower(of, exponent, _) if self.may_transpose && is_adjoint(of, exponent) => {
                 let of = self.expanded(of, depth)?;
                 self.has_adjoints = true;
-                let has_scalars = of.0.keys().any(|word| !word.scalars.is_empty());
+                let has_scalars = of.words().any(|word| !word.scalars.is_empty());
                 match has_scalars {
                     true => Some(self.atom(tree)),
                     false => Some(of.transposed()),
@@ -568,7 +386,7 @@ impl<'a> Reader<'a> {
         let is_start = matches!(ends[0], Tree::Number(number) if number.0.is_zero() || number.0.is_one());
         let range = format!("sum {}..{}", sum_printed(&from), sum_printed(&to));
         let length = to.plus(&from.negated()).plus(&Words::constant(Rational::one()));
-        let commutes = length.0.keys().all(|word| word.letters.is_empty());
+        let commutes = length.words().all(|word| word.letters.is_empty());
         let length = (is_start && is_finite(&ends) && commutes).then(|| {
             let least = if matches!(ends[0], Tree::Number(number) if number.0.is_zero()) {
                 "-1"
@@ -597,10 +415,10 @@ impl<'a> Reader<'a> {
                 .keys()
                 .any(|name| name.starts_with(|c: char| c.is_ascii_uppercase()))
         };
-        let has_random = !mean.is_conditional && body.0.keys().any(are_random);
+        let has_random = !mean.is_conditional && body.words().any(are_random);
         let is_free =
             |name: &str| (has_random && known.contains(name)) || (!mean.is_conditional && name.starts_with(MEAN));
-        let spoken = body.0.keys().flat_map(|word| word.scalars.keys());
+        let spoken = body.words().flat_map(|word| word.scalars.keys());
         let taken = spoken.filter(|name| has_random && known.contains(*name));
         let taken: Vec<String> = taken.map(|name| format!("${name}$ is constant")).collect();
         self.provided.extend(taken);
@@ -624,7 +442,7 @@ impl<'a> Reader<'a> {
         done: impl Fn(&mut Self, &Word) -> Words,
     ) -> Words {
         let mut sum = Words::default();
-        for (word, coefficient) in &body.0 {
+        for (word, coefficient) in body.terms() {
             let (free, scalars) = word.scalars.clone().into_iter().partition(|(name, _)| is_free(name));
             let front = word.letters.iter().take_while(|letter| is_free(&letter.name)).count();
             let rest = word.letters.get(front..).unwrap_or_default();
@@ -658,7 +476,7 @@ impl<'a> Reader<'a> {
         let [low, high] = [self.expanded(limits[0], depth)?, self.expanded(limits[1], depth)?];
         let range = format!("integral {}..{}", sum_printed(&low), sum_printed(&high));
         let mut sum = Words::default();
-        for (word, coefficient) in &body.0 {
+        for (word, coefficient) in body.terms() {
             let none = Word::default();
             sum.add_between(coefficient, &none, &closed(&range, word, &token), &none);
         }
@@ -669,7 +487,7 @@ impl<'a> Reader<'a> {
     fn trace(&mut self, of: &Tree, depth: usize) -> Option<Words> {
         let of = self.expanded(of, depth)?;
         let mut sum = Words::default();
-        for (word, coefficient) in &of.0 {
+        for (word, coefficient) in of.terms() {
             let turned = word.transposed();
             let turns = [&word.letters, &turned.letters].into_iter().flat_map(|letters| {
                 (0..letters.len().max(1)).map(move |by| {
@@ -715,12 +533,12 @@ impl<'a> Reader<'a> {
     /// The product of two vectors with a dot or a cross between, of which each is a sum.
     fn bilinear(&mut self, left: &Tree, right: &Tree, depth: usize, is_dot: bool) -> Option<Words> {
         let (left, right) = (self.expanded(left, depth)?, self.expanded(right, depth)?);
-        if left.0.len().saturating_mul(right.0.len()) > MOST_TERMS {
+        if left.size().saturating_mul(right.size()) > MOST_TERMS {
             return None;
         }
         let mut sum = Words::default();
-        for (one, first) in &left.0 {
-            for (other, second) in &right.0 {
+        for (one, first) in left.terms() {
+            for (other, second) in right.terms() {
                 let coefficient = first.clone() * second.clone();
                 let (scalars, mut vectors) = (
                     Word {
@@ -823,8 +641,7 @@ impl<'a> Reader<'a> {
             })
         };
         if rest
-            .0
-            .keys()
+            .words()
             .any(|word| matches!(word.letters.as_slice(), [only] if is_of_vector(only)))
         {
             return None;
@@ -832,13 +649,13 @@ impl<'a> Reader<'a> {
         // (A^T)^{-1} is the transpose of A^{-1}
         let turned = rest.transposed();
         let signs = |words: &Words| {
-            let letters = words.0.keys().flat_map(|word| &word.letters);
+            let letters = words.words().flat_map(|word| &word.letters);
             letters.filter(|letter| letter.is_transposed).count()
         };
-        let is_turned = (signs(&turned), &turned.0) < (signs(&rest), &rest.0);
+        let is_turned = (signs(&turned), &turned) < (signs(&rest), &rest);
         let of = if is_turned { turned } else { rest };
         let name = format!("({})^-1", sum_printed(&of));
-        let inverse = match of.0.keys().all(|word| word.letters.is_empty()) {
+        let inverse = match of.words().all(|word| word.letters.is_empty()) {
             true => scalar(&name),
             false => letter(&name),
         };
@@ -897,9 +714,19 @@ fn is_small(name: &str) -> bool {
     is_name && letter.starts_with(|c: char| c.is_ascii_lowercase())
 }
 
-/// Returns true for a letter under an arrow.
-fn has_arrow(letter: &Letter) -> bool {
-    ARROWS.iter().any(|arrow| letter.name.contains(arrow))
+/// Returns true if a word is a number: a column transposed, matrices, a column.
+fn is_form(word: &Word) -> bool {
+    match word.letters.as_slice() {
+        [first, inner @ .., last] => {
+            let is_column = |letter: &Letter| is_small(&letter.name);
+            first.is_transposed
+                && is_column(first)
+                && is_column(last)
+                && !last.is_transposed
+                && !inner.iter().any(is_column)
+        }
+        _ => false,
+    }
 }
 
 /// Returns true for a small letter in bold, or one under an arrow: it is a vector, and no matrix.
@@ -1039,7 +866,7 @@ fn printed(letters: &[Letter]) -> String {
 
 /// A sum as it is named within the name of another factor.
 fn sum_printed(words: &Words) -> String {
-    let terms = words.0.iter().map(|(word, coefficient)| {
+    let terms = words.terms().map(|(word, coefficient)| {
         let scalars = word.scalars.iter().map(|(factor, power)| format!("[{factor}]^{power}"));
         format!(
             "{coefficient:?}{}{}",

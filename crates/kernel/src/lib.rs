@@ -21,9 +21,9 @@
 )]
 
 mod axiom;
-mod build;
 mod certificate;
 mod check;
+mod draft;
 mod enclosure;
 mod expand;
 mod implicit;
@@ -35,18 +35,20 @@ mod witness;
 mod words;
 
 pub use axiom::{AXIOMS, Axiom, AxiomRow};
-pub use build::{Question, Unreadable, questions};
 pub use certificate::{Certificate, Inference, LawSource, Summand};
 pub use check::{Checker, Fact};
+pub use draft::{Draft, Parts};
 pub use enclosure::{enclose, sign, term_value};
-pub use expand::{Expansion, Quotient, Refusal, vanishes};
+pub use expand::{Derivatives, Expansion, Quotient, Refusal, vanishes};
+pub use implicit::{determinant, slope_determinant};
 pub use polynomial::{Monomial, Polynomial, product};
 pub use statement::{
-    CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step,
+    ASSUMPTIONS, CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Property, Quantity, Statement,
+    Step, is_letter,
 };
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
 pub use verdict::{
     EFFORT, Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
 };
 pub use witness::{At, Witness};
-pub use words::{WordMultiple, WordProof, WordSource, prove_in_words};
+pub use words::{Letter, Word, WordMultiple, WordProof, WordQuestion, WordSource, Words, has_arrow, prove_in_words};

@@ -117,9 +117,9 @@ pub struct Step {
     /// What each of `of` is, where the equations of a map say so outright in `by` and symbols that do not move.
     pub images: Vec<Term>,
     /// What must hold for its equations to be defined, besides what their terms show.
-    pub(super) conditions: Vec<(Property, Term)>,
+    pub conditions: Vec<(Property, Term)>,
     /// Whether its equations are read over the reals alone.
-    pub(super) real_only: bool,
+    pub real_only: bool,
 }
 
 /// A claim, ready to be decided: wherever all givens hold, the goals hold.

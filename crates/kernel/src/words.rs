@@ -5,13 +5,198 @@
 
 use super::expand::Refusal;
 use super::verdict::Proved;
-use claims::{Word, WordQuestion, Words};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::BTreeMap;
 
 /// Words that are added up for one proof, at most.
 const MOST_WORDS: usize = 2_000_000;
+
+/// The most terms of a sum of words that is multiplied out.
+const MOST_TERMS_OF_SUM: usize = 2_000;
+
+/// Accents of vectors.
+const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
+
+/// Returns true for a letter under an arrow.
+pub fn has_arrow(letter: &Letter) -> bool {
+    ARROWS.iter().any(|arrow| letter.name.contains(arrow))
+}
+
+/// A factor that keeps its place.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Letter {
+    pub name: String,
+    pub is_transposed: bool,
+}
+
+/// A product: its commuting factors with their powers, and the others in their order.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Word {
+    pub scalars: BTreeMap<String, i32>,
+    pub letters: Vec<Letter>,
+}
+
+impl Word {
+    /// Returns the product of two words.
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = self.clone();
+        for (factor, power) in &other.scalars {
+            *product.scalars.entry(factor.clone()).or_default() += power;
+        }
+        product.scalars.retain(|_, power| *power != 0);
+        product.letters.extend(other.letters.iter().cloned());
+        product
+    }
+
+    /// Returns the word whose factors, each transposed, stand in the other order.
+    pub fn transposed(&self) -> Self {
+        let letter = |letter: &Letter| Letter {
+            name: letter.name.clone(),
+            is_transposed: !letter.is_transposed,
+        };
+        Self {
+            scalars: self.scalars.clone(),
+            letters: self.letters.iter().rev().map(letter).collect(),
+        }
+    }
+
+    /// Counts its factors under an arrow: a product of these is a number, and not associative.
+    pub fn vectors(&self) -> usize {
+        self.letters.iter().filter(|letter| has_arrow(letter)).count()
+    }
+}
+
+/// A sum of words with their coefficients, none of which is 0.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Words(BTreeMap<Word, Rational>);
+
+impl Words {
+    /// Returns its value at numbers, which are their own transposes; nothing where a factor has none, or is 0 and divided by.
+    pub fn value(&self, point: &BTreeMap<String, Rational>) -> Option<Rational> {
+        let mut sum = Rational::zero();
+        for (word, coefficient) in self.terms() {
+            let letters = word.letters.iter().map(|letter| (&letter.name, 1));
+            let scalars = word.scalars.iter().map(|(name, power)| (name, *power));
+            let mut product = coefficient.clone();
+            for (name, power) in letters.chain(scalars) {
+                let value = point.get(name)?.clone();
+                let factor = match power < 0 {
+                    true if value.is_zero() => return None,
+                    true => Rational::one() / value,
+                    false => value,
+                };
+                for _ in 0..power.unsigned_abs() {
+                    product *= factor.clone();
+                }
+            }
+            sum += product;
+        }
+        Some(sum)
+    }
+
+    /// Makes a number of one word.
+    pub fn of(word: Word, coefficient: Rational) -> Self {
+        let mut words = Self::default();
+        words.add(word, coefficient);
+        words
+    }
+
+    /// Makes a number of a constant.
+    pub fn constant(value: Rational) -> Self {
+        Self::of(Word::default(), value)
+    }
+
+    /// Iterates over the words with their coefficients.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Word, &Rational)> + Clone {
+        self.0.iter()
+    }
+
+    /// Counts the words.
+    pub fn size(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Iterates over the words.
+    pub fn words(&self) -> impl Iterator<Item = &Word> {
+        self.0.keys()
+    }
+
+    /// Returns true if this is 0 in every ring.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Adds a multiple of a word.
+    pub fn add(&mut self, word: Word, coefficient: Rational) {
+        let total = match self.0.remove(&word) {
+            Some(known) => known + coefficient,
+            None => coefficient,
+        };
+        if !total.is_zero() {
+            self.0.insert(word, total);
+        }
+    }
+
+    /// Adds the product of a number, a word in front, another sum, and a word behind.
+    pub fn add_between(&mut self, coefficient: &Rational, front: &Word, words: &Self, behind: &Word) {
+        for (word, own) in &words.0 {
+            self.add(front.times(word).times(behind), own.clone() * coefficient.clone());
+        }
+    }
+
+    /// Returns the sum of each word transposed.
+    pub fn transposed(&self) -> Self {
+        let mut words = Self::default();
+        for (word, coefficient) in &self.0 {
+            words.add(word.transposed(), coefficient.clone());
+        }
+        words
+    }
+
+    /// Returns the sum with each coefficient negated.
+    pub fn negated(&self) -> Self {
+        let mut words = Self::default();
+        words.add_between(&-Rational::one(), &Word::default(), self, &Word::default());
+        words
+    }
+
+    /// Returns the sum of two.
+    pub fn plus(mut self, other: &Self) -> Self {
+        self.add_between(&Rational::one(), &Word::default(), other, &Word::default());
+        self
+    }
+
+    /// Multiplies out; `None` where it is too large, or where three vectors meet: (b c) d of vectors is not b (c d).
+    pub fn times(&self, other: &Self) -> Option<Self> {
+        let vectors = |words: &Self| words.0.keys().map(Word::vectors).max().unwrap_or_default();
+        if self.0.len().saturating_mul(other.0.len()) > MOST_TERMS_OF_SUM || vectors(self) + vectors(other) > 2 {
+            return None;
+        }
+        let mut product = Self::default();
+        for (word, coefficient) in &self.0 {
+            product.add_between(coefficient, word, other, &Word::default());
+        }
+        Some(product)
+    }
+
+    /// Returns the only term, if it is one.
+    pub fn only(&self) -> Option<(&Word, &Rational)> {
+        let mut terms = self.0.iter();
+        let only = terms.next()?;
+        terms.next().is_none().then_some(only)
+    }
+}
+
+/// A claim about letters that need not commute: sums of words that vanish where those that are given do.
+#[derive(Clone, Debug, Default)]
+pub struct WordQuestion {
+    pub claims: Vec<Words>,
+    /// The premises, and that each inverse is one, as sums that vanish.
+    pub givens: Vec<Words>,
+    /// Conditions that the claim rests on: lengths of sums, `n \ge 0`, and inverses that it brings in.
+    pub provided: Vec<String>,
+}
 
 /// A sum that vanishes where what is given does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -10,7 +10,7 @@ const FEW_STEPS: u64 = 200_000;
 
 /// Returns the doubt of a refuted claim that follows where a premise can be solved for what the claim speaks of: what the
 /// premise is divided by then is 0 at the counterexample.
-pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Option<DoubtKind> {
+pub(super) fn doubt(goal: &Goal, question: &claims::Question, effort: u64) -> Option<DoubtKind> {
     let divisors = divisors(goal);
     let within = |divisors: &[(String, Tree)]| {
         let mut within = goal.statements.clone();
@@ -20,9 +20,9 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
                 ..Equation::between(divisor.clone(), Tree::Number(Rational::from_integer(0)))
             })
         }));
-        let questions = kernel::questions(&within, &goal.symbols).ok()?;
+        let questions = claims::questions(&within, &goal.symbols).ok()?;
         let is_same =
-            |other: &kernel::Question| other.equation == question.equation && other.instance == question.instance;
+            |other: &claims::Question| other.equation == question.equation && other.instance == question.instance;
         questions.into_iter().find(is_same).map(|question| question.statement)
     };
     let is_quick = |statement: &kernel::Statement| proof::search(statement, FEW_STEPS).is_some();

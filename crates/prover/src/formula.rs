@@ -1,7 +1,7 @@
 //! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
 
-use claims::{Local, Statements};
-use kernel::{Question, Symbol};
+use claims::{Local, Question, Statements};
+use kernel::Symbol;
 use texmath::{
     Condition, Elementary, Equation, Invariant, Map, Name, Relation, Symbols, Tree, flies, index_of, pair_of,
     subscript_of,

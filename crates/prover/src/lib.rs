@@ -47,8 +47,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, WordQuestion, at_positive_bases, other_ways, reduced,
-    reduced_by_cases, thin_domains, values,
+    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, at_positive_bases, other_ways, reduced,
+    reduced_by_cases, thin_domains, values, word_question,
 };
 use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side, is_opaque};
 
@@ -195,10 +195,10 @@ fn speaks_of_sums(sheet: &Sheet, position: usize) -> bool {
 }
 
 /// Returns what proves a claim as one about letters that need not commute, with the rules by which it was read.
-fn in_words(sheet: &Sheet, position: usize) -> Option<(WordQuestion, kernel::WordProof, Rules)> {
+fn in_words(sheet: &Sheet, position: usize) -> Option<(kernel::WordQuestion, kernel::WordProof, Rules)> {
     let entry = sheet.entries.get(position)?;
     let statements = Decision::without_search(sheet, position).ok()?;
-    let question = WordQuestion::of(&statements, &entry.operators, entry.columns)?;
+    let question = word_question(&statements, &entry.operators, entry.columns)?;
     let found = words::proof(&question)?;
     Some((question, found, statements.rules))
 }
@@ -208,7 +208,7 @@ pub(crate) fn proof_in_words(
     sheet: &Sheet,
     position: usize,
     options: &Options,
-) -> Option<(WordQuestion, kernel::WordProof)> {
+) -> Option<(kernel::WordQuestion, kernel::WordProof)> {
     let searched = search(sheet, position, options, false);
     let (decision, sheet) = (searched.decision, searched.by_itself.as_ref().unwrap_or(sheet));
     let is_one = decision.found() == Verdict::Proved && decision.rules.contains(&Rule::Words);
@@ -550,7 +550,7 @@ impl<'a> Search<'a> {
     /// Decides one goal of a claim.
     fn settled(&mut self, goal: &Goal) -> Decision {
         let mut decision = self.start.clone();
-        let questions = match kernel::questions(&goal.statements, &goal.symbols) {
+        let questions = match claims::questions(&goal.statements, &goal.symbols) {
             Ok(questions) => questions,
             Err(fault) => {
                 decision.verdict = Verdict::Unread;
@@ -627,7 +627,7 @@ impl<'a> Search<'a> {
         decision
     }
 
-    fn keep(&mut self, goal: &Goal, question: kernel::Question, found: Found) {
+    fn keep(&mut self, goal: &Goal, question: claims::Question, found: Found) {
         if let Some(kept) = &mut self.kept {
             kept.push(Decided {
                 label: self.start.label.clone(),
@@ -840,7 +840,7 @@ pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::
     let Ok(goals) = goals(sheet, position) else {
         return Vec::new();
     };
-    let of = |goal: &Goal| kernel::questions(&goal.statements, &goal.symbols).unwrap_or_default();
+    let of = |goal: &Goal| claims::questions(&goal.statements, &goal.symbols).unwrap_or_default();
     let questions = goals.lemmas.iter().chain(&goals.sufficient).flat_map(of);
     questions
         .filter_map(|question| proof::search(&question.statement, PROOF_STEPS))

@@ -10,10 +10,10 @@
 use super::formula::{Formulas, list, quoted};
 use super::{Options, decided, proof_in_words};
 use crate::checksum::Checksum;
-use claims::{Goal, Letter, Sheet, Verdict, Word, Words};
+use claims::{Goal, Question, Sheet, Verdict};
 use kernel::{
-    AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property,
-    Quantity, Question, Statement, Summand, Symbol, Term, Terms, With, Witness, WordMultiple, WordSource,
+    AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Letter, Node, Polynomial,
+    Property, Quantity, Statement, Summand, Symbol, Term, Terms, With, Witness, Word, WordMultiple, WordSource, Words,
 };
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};

@@ -1,8 +1,7 @@
 //! Proofs of claims about letters that need not commute: words are rewritten by what is given, which is completed within bounds
 //! (Mora 1986).
 
-use claims::{Letter, Word, WordQuestion, Words};
-use kernel::{WordMultiple, WordProof, WordSource};
+use kernel::{Letter, Word, WordMultiple, WordProof, WordQuestion, WordSource, Words};
 use num_traits::{One, Zero};
 use numbers::{Field, Rational};
 use std::cmp::Ordering;
@@ -410,7 +409,7 @@ fn names(words: &Words) -> BTreeSet<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use claims::{Local, Premise, Statements};
+    use claims::{Local, Premise, Statements, word_question};
 
     fn statements(claim: &str, premises: &[&str]) -> Statements {
         let names = texmath::Names::default();
@@ -427,7 +426,7 @@ mod tests {
         let operators = ["A", "B", "C", "P", "Q", "R", "K", "S", "W", "x", "y", "u", "X", "I"]
             .map(str::to_owned)
             .into();
-        let question = WordQuestion::of(&statements(claim, premises), &operators, true).expect(claim);
+        let question = word_question(&statements(claim, premises), &operators, true).expect(claim);
         let proof = proof(&question);
         if let Some(proof) = &proof {
             kernel::prove_in_words(&question, proof).expect(claim);
@@ -503,7 +502,7 @@ mod tests {
     #[test]
     fn a_broken_proof_is_refused() {
         let operators = ["A", "B"].map(str::to_owned).into();
-        let question = |claim: &str| WordQuestion::of(&statements(claim, &[]), &operators, true).expect("words");
+        let question = |claim: &str| word_question(&statements(claim, &[]), &operators, true).expect("words");
         let right = question("(A B)^{-1} = B^{-1} A^{-1}");
         let found = proof(&right).expect("a proof");
         assert!(kernel::prove_in_words(&right, &found).is_ok());

@@ -9,10 +9,10 @@ use super::digits::{Value, polynomial, value};
 use crate::common::attacks::{self, Attack};
 use crate::common::sample;
 use std::collections::{BTreeMap, HashMap};
-use vibro_audit::claim::{Sheet, Statements};
+use vibro_audit::claim::{Sheet, Statements, questions};
 use vibro_audit::kernel::{
     AxiomRow, Certificate, Checker, Inference, LawSource, Node, Polynomial, Property, Statement, Summand, Symbol, Term,
-    With, follows, questions,
+    With, follows,
 };
 use vibro_audit::number::{Field, Rational, Sequence};
 use vibro_audit::prove::certificates;

@@ -1,9 +1,9 @@
 //! Statements from sheets, and certificates and witnesses made by hand.
 
-use vibro_audit::claim::{Sheet, Statements, vocabulary};
+use vibro_audit::claim::{Question, Sheet, Statements, Unreadable, questions, vocabulary};
 use vibro_audit::kernel::{
-    Axiom, Certificate, Elementary, Function, Given, Inference, LawSource, Node, Polynomial, Property, Question,
-    Refusal, Statement, Symbol, Term, Unreadable, With, Witness, follows, questions, refute,
+    Axiom, Certificate, Elementary, Function, Given, Inference, LawSource, Node, Polynomial, Property, Refusal,
+    Statement, Symbol, Term, With, Witness, follows, refute,
 };
 
 /// A sheet with these lines under `[symbols]`, premises, and one claim.

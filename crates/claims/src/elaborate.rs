@@ -1,12 +1,12 @@
-//! The statement of a claim built from its trees: what each name stands for, what is given, what is to be shown.
+//! Elaboration: the statement of a claim from its trees, what each name stands for, what is given, what is to be shown.
 
-use super::implicit::{determinant, determining, slope_determinant};
-use super::statement::{
-    ASSUMPTIONS, CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Law, Property, Quantity, Statement, Step,
-    is_letter,
+use super::definition::Local;
+use super::determining::determining;
+use super::premise::Statements;
+use kernel::{
+    ASSUMPTIONS, CLAIM_DOMAIN, DERIVATIVES_EXIST, Draft, Elementary, Expansion, FunctionOf, Given, Law, Monomial, Node,
+    Property, Quantity, Statement, Step, Symbol, Term, determinant, is_letter, slope_determinant,
 };
-use super::term::{Elementary, Node, Symbol, Term};
-use claims::{Local, Statements};
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
@@ -42,7 +42,7 @@ const MOST_TERMS: usize = 400_000;
 pub fn questions(statements: &Statements, symbols: &Symbols) -> Result<Vec<Question>, Unreadable> {
     // what functions need to have values depends on whether complex numbers take part
     let asked = asked(statements, symbols, false)?;
-    if asked.iter().any(|question| question.statement.complex) {
+    if asked.iter().any(|question| question.statement.is_complex()) {
         return self::asked(statements, symbols, true);
     }
     Ok(asked)
@@ -104,7 +104,7 @@ fn pair_questions(
     let (mut builder, at) = Builder::given(statements, symbols, complex)?;
     let [first, second] = values(&mut builder, at)?;
     let symbol = builder.in_claim(&Tree::Symbol(name.clone(), equation.at), at)?;
-    let Node::Symbol(pair) = *builder.statement.terms.node(symbol) else {
+    let Node::Symbol(pair) = *builder.statement.terms().node(symbol) else {
         return Err(unreadable(
             equation.at.0,
             format!("`{name}` is no symbol that premises could be solved for"),
@@ -112,8 +112,8 @@ fn pair_questions(
     };
     builder.written.extend([first, second]);
     builder.write_claims(statements, equation)?;
-    let factors = [first, second].map(|value| builder.statement.terms.difference(symbol, value));
-    let product = builder.statement.terms.product(factors.to_vec());
+    let factors = [first, second].map(|value| builder.statement.terms_mut().difference(symbol, value));
+    let product = builder.statement.terms_mut().product(factors.to_vec());
     questions.push(question(
         equation,
         "every solution",
@@ -122,7 +122,7 @@ fn pair_questions(
     for sign in [0, 1] {
         let (mut builder, at) = Builder::given(statements, symbols, complex)?;
         let values = values(&mut builder, at)?;
-        builder.statement.beside.extend(values);
+        builder.statement.parts().beside.extend(values);
         builder.written.extend(values);
         builder.write_claims(statements, equation)?;
         let goals = builder.solution(pair, values[sign], equation.at.0)?;
@@ -150,12 +150,6 @@ fn unreadable(at: usize, message: impl Into<String>) -> Unreadable {
     }
 }
 
-/// A number for each statement that is built.
-fn next_identity() -> u64 {
-    static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(1);
-    NEXT.fetch_add(1, std::sync::atomic::Ordering::Relaxed)
-}
-
 /// What a name may stand for within one equation.
 #[derive(Clone, Copy)]
 struct Scope<'a> {
@@ -168,7 +162,7 @@ struct Scope<'a> {
 
 struct Builder<'a> {
     symbols: &'a Symbols,
-    statement: Statement,
+    statement: Draft,
     locals: &'a [Local],
     scope: Scope<'a>,
     upper: Option<bool>,
@@ -208,14 +202,12 @@ impl<'a> Builder<'a> {
         };
         let mut builder = Self {
             symbols,
-            statement: Statement {
-                identity: next_identity(),
+            statement: Draft::new(
                 complex,
-                states: symbols.states().cloned().collect(),
-                continuous: symbols.continuous().cloned().collect(),
-                letter: symbols.index.clone(),
-                ..Statement::default()
-            },
+                symbols.states().cloned().collect(),
+                symbols.continuous().cloned().collect(),
+                symbols.index.clone(),
+            ),
             locals: &statements.locals,
             scope: none,
             upper: None,
@@ -316,7 +308,7 @@ impl<'a> Builder<'a> {
         let time = self.running_symbol().filter(|&time| {
             said.iter().any(|&term| {
                 let written = self.statement.written_out(term);
-                self.statement.terms.holds(written, time)
+                self.statement.terms().holds(written, time)
             })
         });
         let every_impact = self.scope.in_flight || self.runs_over_indices(term);
@@ -362,8 +354,8 @@ impl<'a> Builder<'a> {
 
     fn push(&mut self, label: &str, property: Property, term: Term, law: Option<Law>) {
         let known = |given: &Given| given.property == property && given.term == term && given.law == law;
-        if !self.statement.givens.iter().any(known) {
-            self.statement.givens.push(Given {
+        if !self.statement.givens().iter().any(known) {
+            self.statement.parts().givens.push(Given {
                 label: label.to_string(),
                 property,
                 term,
@@ -377,10 +369,10 @@ impl<'a> Builder<'a> {
         let members_run = indices.any(|letter| letter.to_string() == self.symbols.index);
         let written = self.statement.written_out(term);
         self.statement
-            .terms
+            .terms()
             .inside(written)
             .into_iter()
-            .any(|inner| match self.statement.terms.node(inner) {
+            .any(|inner| match self.statement.terms().node(inner) {
                 Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
                     Some(Quantity::State { .. } | Quantity::Time { .. }) => members_run,
                     // the index itself
@@ -394,7 +386,7 @@ impl<'a> Builder<'a> {
     fn running_symbol(&mut self) -> Option<Symbol> {
         let at = self
             .statement
-            .quantities
+            .quantities()
             .iter()
             .position(|known| *known == Quantity::Running)?;
         u32::try_from(at).ok().map(Symbol)
@@ -405,7 +397,7 @@ impl<'a> Builder<'a> {
         let scope = self.scope_of(equation, self.locals, 1, Some(self.scope.flight));
         self.own_scope(scope.flight, scope.in_flight);
         if scope.in_flight {
-            self.statement.flight = Some(scope.flight);
+            *self.statement.parts().flight = Some(scope.flight);
         }
         let goal = self.relation(equation)?;
         self.written.push(goal.1);
@@ -441,7 +433,7 @@ impl<'a> Builder<'a> {
                             return Err(unreadable(other.at.0, why));
                         }
                     }
-                    self.statement.beside.push(term);
+                    self.statement.parts().beside.push(term);
                     self.written.push(term);
                     for (property, of) in conditions {
                         self.push(CLAIM_DOMAIN, property, of, None);
@@ -454,7 +446,7 @@ impl<'a> Builder<'a> {
         for local in self.locals {
             let scope = self.scope.number;
             let term = self.abbreviation(&local.name, &local.tree, scope, 0)?;
-            self.statement.beside.push(term);
+            self.statement.parts().beside.push(term);
             self.written.push(term);
         }
         for (property, term) in std::mem::take(&mut self.brought) {
@@ -467,15 +459,17 @@ impl<'a> Builder<'a> {
     fn runs(&mut self, term: Term) -> bool {
         let running = self.running_symbol();
         let written = self.statement.written_out(term);
-        let inside = self.statement.terms.inside(written);
-        inside.into_iter().any(|inner| match self.statement.terms.node(inner) {
-            Node::Symbol(symbol) => Some(*symbol) == running,
-            Node::Value(function, ..) => matches!(
-                self.statement.functions.get(function.0 as usize),
-                Some(FunctionOf::Flight { .. })
-            ),
-            _ => false,
-        })
+        let inside = self.statement.terms().inside(written);
+        inside
+            .into_iter()
+            .any(|inner| match self.statement.terms().node(inner) {
+                Node::Symbol(symbol) => Some(*symbol) == running,
+                Node::Value(function, ..) => matches!(
+                    self.statement.functions().get(function.0 as usize),
+                    Some(FunctionOf::Flight { .. })
+                ),
+                _ => false,
+            })
     }
 
     fn in_claim(&mut self, tree: &Tree, _at: usize) -> Result<Term, Unreadable> {
@@ -494,14 +488,14 @@ impl<'a> Builder<'a> {
         self.declare_signs()?;
         let mut goals = Vec::new();
         let mut solved = Vec::new();
-        for (number, given) in self.statement.givens.clone().into_iter().enumerate() {
+        for (number, given) in self.statement.givens().to_vec().into_iter().enumerate() {
             let term = self.statement.written_out(given.term);
             let conditions = given.law.iter().flat_map(|law| law.conditions.clone());
             let conditions: Vec<Term> = conditions.map(|(_, of)| self.statement.written_out(of)).collect();
             if !conditions
                 .iter()
                 .chain([&term])
-                .any(|&of| self.statement.terms.holds(of, symbol))
+                .any(|&of| self.statement.terms().holds(of, symbol))
             {
                 continue;
             }
@@ -509,7 +503,10 @@ impl<'a> Builder<'a> {
                 let message = format!("({}) is a law: it is not solved for single values", given.label);
                 return Err(unreadable(at, message));
             }
-            goals.push((given.property, self.statement.terms.substitute(term, symbol, value)));
+            goals.push((
+                given.property,
+                self.statement.terms_mut().substitute(term, symbol, value),
+            ));
             solved.push((number, given.property, term));
         }
         // one equation with a number as leading coefficient has a complex solution, whatever the others are
@@ -517,7 +514,7 @@ impl<'a> Builder<'a> {
             && self.may_be_complex(symbol)
             && self.has_roots(term, symbol)
         {
-            self.statement.givens.remove(number);
+            self.statement.parts().givens.remove(number);
         }
         Ok(goals)
     }
@@ -531,10 +528,10 @@ impl<'a> Builder<'a> {
     /// Whether a term is a polynomial in a symbol of degree 1 or more, with a number that is not 0 as leading coefficient
     /// and the symbol nowhere else.
     fn has_roots(&self, term: Term, symbol: Symbol) -> bool {
-        let terms = &self.statement.terms;
-        let quotient = super::expand::Expansion::new(BTreeSet::new(), MOST_ROOT_STEPS).of(terms, term);
+        let terms = self.statement.terms();
+        let quotient = Expansion::new(BTreeSet::new(), MOST_ROOT_STEPS).of(terms, term);
         let Ok(quotient) = quotient else { return false };
-        let degree = |monomial: &super::polynomial::Monomial| -> u32 {
+        let degree = |monomial: &Monomial| -> u32 {
             let powers = monomial
                 .iter()
                 .filter(|(of, _)| *terms.node(*of) == Node::Symbol(symbol));
@@ -559,7 +556,7 @@ impl<'a> Builder<'a> {
     /// What must vanish, be positive or the like for a relation to hold.
     fn relation(&mut self, equation: &Equation) -> Result<(Property, Term), Unreadable> {
         let (left, right) = (self.tree(&equation.left)?, self.tree(&equation.right)?);
-        let terms = &mut self.statement.terms;
+        let terms = self.statement.terms_mut();
         Ok(match equation.relation {
             Relation::Equal => (Property::Zero, terms.difference(left, right)),
             Relation::NotEqual => (Property::Nonzero, terms.difference(left, right)),
@@ -585,12 +582,12 @@ impl<'a> Builder<'a> {
         }
         self.derivatives_exist(&goal);
         self.name_times();
-        if self.is_complex() && !self.statement.complex {
+        if self.is_complex() && !self.statement.is_complex() {
             // it is built anew, with principal branches
-            self.statement.complex = true;
-            return Ok(self.statement);
+            *self.statement.parts().complex = true;
+            return Ok(self.statement.finish(Vec::new()));
         }
-        if self.statement.complex && self.real_only {
+        if self.statement.is_complex() && self.real_only {
             return Err(unreadable(
                 0,
                 "absolute values are not read where complex numbers take part",
@@ -601,9 +598,9 @@ impl<'a> Builder<'a> {
                 self.push(CLAIM_DOMAIN, property, of, None);
             }
         }
-        if self.statement.complex {
+        if self.statement.is_complex() {
             let ordered = |property: Property| matches!(property, Property::Positive | Property::NonNegative);
-            let givens = self.statement.givens.iter().map(|given| (given.property, given.term));
+            let givens = self.statement.givens().iter().map(|given| (given.property, given.term));
             for (property, term) in givens.chain(goal.iter().copied()) {
                 if ordered(property) && !self.statement.is_real(term) {
                     if goal.iter().all(|(property, _)| *property == Property::Zero) {
@@ -616,19 +613,19 @@ impl<'a> Builder<'a> {
                 }
             }
         }
-        if self.statement.complex {
+        if self.statement.is_complex() {
             let goals = goal.iter().map(|(_, term)| *term);
             let spoken: Vec<Term> = self
                 .statement
-                .givens
+                .givens()
                 .iter()
                 .map(|given| given.term)
                 .chain(goals)
                 .collect();
             for term in spoken {
                 let term = self.statement.written_out(term);
-                for inner in self.statement.terms.inside(term) {
-                    if let Node::Value(_, _, at) = self.statement.terms.node(inner)
+                for inner in self.statement.terms().inside(term) {
+                    if let Node::Value(_, _, at) = self.statement.terms().node(inner)
                         && !self.statement.is_real(*at)
                     {
                         return Err(unreadable(0, "an unknown function of a complex number has no meaning"));
@@ -636,23 +633,25 @@ impl<'a> Builder<'a> {
                 }
             }
         }
-        self.statement.goal = goal;
-        if self.statement.terms.len() > MOST_TERMS {
+        if self.statement.terms().len() > MOST_TERMS {
             return Err(unreadable(
                 0,
                 format!("the claim and its premises come to more than {MOST_TERMS} terms"),
             ));
         }
-        Ok(self.statement)
+        Ok(self.statement.finish(goal))
     }
 
     /// Where laws of flight are given, the impacts at which states are named have times.
     fn name_times(&mut self) {
         let is_flight = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
-        let (Some(family), true) = (self.symbols.times().next(), self.statement.givens.iter().any(is_flight)) else {
+        let (Some(family), true) = (
+            self.symbols.times().next(),
+            self.statement.givens().iter().any(is_flight),
+        ) else {
             return;
         };
-        for quantity in self.statement.quantities.clone() {
+        for quantity in self.statement.quantities().to_vec() {
             if let Quantity::State { index, .. } = quantity {
                 self.statement.time(family, index, &self.symbols.index);
             }
@@ -667,27 +666,27 @@ impl<'a> Builder<'a> {
             }
             _ => false,
         };
-        let complex = (0_u32..).map(Symbol).zip(&self.statement.quantities);
+        let complex = (0_u32..).map(Symbol).zip(self.statement.quantities());
         let complex: Vec<Symbol> = complex
             .filter(|(_, quantity)| declared(quantity))
             .map(|(symbol, _)| symbol)
             .collect();
         let conditions = |given: &Given| given.law.clone().map_or(Vec::new(), |law| law.conditions);
-        let given = self.statement.givens.iter();
+        let given = self.statement.givens().iter();
         let given = given.flat_map(|given| conditions(given).into_iter().map(|(_, of)| of).chain([given.term]));
         let given: Vec<Term> = given.collect();
         let mut inside = BTreeSet::new();
         for term in given.into_iter().chain(self.written.clone()) {
             let term = self.statement.written_out(term);
-            inside.extend(self.statement.terms.inside(term));
+            inside.extend(self.statement.terms().inside(term));
         }
-        let takes_part = |term: &Term| match self.statement.terms.node(*term) {
+        let takes_part = |term: &Term| match self.statement.terms().node(*term) {
             Node::Imaginary => true,
             Node::Symbol(symbol) => complex.contains(symbol),
             _ => false,
         };
         let result = inside.iter().any(takes_part);
-        self.statement.complex_symbols = complex;
+        *self.statement.parts().complex_symbols = complex;
         result
     }
 
@@ -707,14 +706,14 @@ impl<'a> Builder<'a> {
             let is_listed = lists.iter().any(|(kind, _)| symbols.is(name, kind)) || symbols.is_at_most_one(name);
             let symbol = Tree::Symbol(name.clone(), Default::default());
             let is_timeless = symbols.impacts(&Equation::between(symbol.clone(), symbol)).is_empty();
-            if is_listed && (is_timeless || !self.statement.times.is_empty()) {
+            if is_listed && (is_timeless || !self.statement.times().is_empty()) {
                 self.own_scope(0, false);
                 self.tree(&Tree::Symbol(name.clone(), Default::default()))?;
             }
         }
-        for at in 0..self.statement.quantities.len() {
+        for at in 0..self.statement.quantities().len() {
             let symbol = Symbol(u32::try_from(at).unwrap_or(u32::MAX));
-            let quantity = self.statement.quantities[at].clone();
+            let quantity = self.statement.quantities()[at].clone();
             let name = match &quantity {
                 Quantity::Parameter(name) | Quantity::Local { name, scope: 0 } => name.clone(),
                 Quantity::State { state, .. } => state.clone(),
@@ -723,19 +722,19 @@ impl<'a> Builder<'a> {
                 _ => continue,
             };
             let label = format!("[symbols] {name}");
-            let term = self.statement.terms.symbol(symbol);
+            let term = self.statement.terms_mut().symbol(symbol);
             for (kind, property) in &lists {
                 if self.is_listed(&quantity, kind) {
                     self.push(&label, *property, term, None);
                 }
             }
             if self.is_listed(&quantity, &Meaning::AtMostOne) {
-                let one = self.statement.terms.integer(1);
-                let rest = self.statement.terms.difference(one, term);
+                let one = self.statement.terms_mut().integer(1);
+                let rest = self.statement.terms_mut().difference(one, term);
                 self.push(&label, Property::NonNegative, rest, None);
             }
             if self.is_listed(&quantity, &Meaning::Generic) {
-                self.statement.generic.push(symbol);
+                self.statement.parts().generic.push(symbol);
             }
         }
         Ok(())
@@ -751,7 +750,7 @@ impl<'a> Builder<'a> {
         self.symbols.all(kind).any(|name| match quantity {
             Quantity::Parameter(known) | Quantity::Local { name: known, scope: 0 } => name == known,
             Quantity::State { state, index, after } => {
-                let continuous = self.statement.continuous.contains(state);
+                let continuous = self.statement.continuous().contains(state);
                 name.bare() == *state && at(name, *index) && (continuous || *after == (name.mark == "+"))
             }
             Quantity::Time { family, index } => name.bare() == *family && at(name, *index),
@@ -767,7 +766,7 @@ impl<'a> Builder<'a> {
             {
                 let function = self.statement.function_of(FunctionOf::Line(name.clone()));
                 let next = self.statement.function_of(FunctionOf::Line(next.clone()));
-                self.statement.derivatives.insert(function, next);
+                self.statement.parts().derivatives.insert(function, next);
             }
         }
         // a derivative that is a formula is a law: f' = formula at every time
@@ -781,7 +780,7 @@ impl<'a> Builder<'a> {
             let right = self.tree(tree)?;
             let function = self.statement.function_of(FunctionOf::Line(name.clone()));
             let left = self.statement.value(function, 1, time);
-            let term = self.statement.terms.difference(left, right);
+            let term = self.statement.terms_mut().difference(left, right);
             self.give(&format!("the derivative of {name}"), Property::Zero, term, Vec::new());
         }
         Ok(())
@@ -790,9 +789,9 @@ impl<'a> Builder<'a> {
     fn declare_periods(&mut self) -> Result<(), Unreadable> {
         for (name, period) in self.symbols.periods() {
             let (time, period) = (self.running()?, self.tree(period)?);
-            let later = self.statement.terms.sum(vec![time, period]);
+            let later = self.statement.terms_mut().sum(vec![time, period]);
             let (now, then) = (self.value_of(name, 0, time)?, self.value_of(name, 0, later)?);
-            let term = self.statement.terms.difference(then, now);
+            let term = self.statement.terms_mut().difference(then, now);
             self.give(&format!("the period of {name}"), Property::Zero, term, Vec::new());
         }
         Ok(())
@@ -805,7 +804,7 @@ impl<'a> Builder<'a> {
         }
         let printed = self.symbols.running().map_or("t".to_string(), Name::to_string);
         let symbol = self.statement.symbol_of(Quantity::Running, || printed);
-        Ok(self.statement.terms.symbol(symbol))
+        Ok(self.statement.terms_mut().symbol(symbol))
     }
 
     /// The state, without dots, and the number of dots of a name of a motion.
@@ -847,29 +846,29 @@ impl<'a> Builder<'a> {
 
     /// The term of a tree.
     fn tree(&mut self, tree: &Tree) -> Result<Term, Unreadable> {
-        if self.statement.terms.len() > MOST_TERMS {
+        if self.statement.terms().len() > MOST_TERMS {
             return Err(unreadable(
                 0,
                 format!("the claim and its premises come to more than {MOST_TERMS} terms"),
             ));
         }
         Ok(match tree {
-            Tree::Number(value) => self.statement.terms.number(value.clone()),
+            Tree::Number(value) => self.statement.terms_mut().number(value.clone()),
             Tree::Symbol(name, at) => self.name(name, at.0)?,
             Tree::Call(name, argument, at) => self.call(name, argument, at.0)?,
             Tree::Partial { of, by, at } => self.partial(of, by, at.0)?,
             Tree::Invariant { kind, of, at } => self.invariant(*kind, of, at.0)?,
             Tree::Negate(body) => {
                 let body = self.tree(body)?;
-                self.statement.terms.negative(body)
+                self.statement.terms_mut().negative(body)
             }
             Tree::Sum(parts) => {
                 let parts = self.trees(parts)?;
-                self.statement.terms.sum(parts)
+                self.statement.terms_mut().sum(parts)
             }
             Tree::Product(parts) => {
                 let parts = self.trees(parts)?;
-                self.statement.terms.product(parts)
+                self.statement.terms_mut().product(parts)
             }
             Tree::Quotient(above, below, at) => {
                 if let Some(by) = differentiated_by(below)
@@ -879,7 +878,7 @@ impl<'a> Builder<'a> {
                     return Err(unreadable(at.0, message));
                 }
                 let (above, below) = (self.tree(above)?, self.tree(below)?);
-                self.statement.terms.quotient(above, below)
+                self.statement.terms_mut().quotient(above, below)
             }
             Tree::Power(base, exponent, _) => {
                 let base = self.tree(base)?;
@@ -888,7 +887,9 @@ impl<'a> Builder<'a> {
             Tree::RealPower(base, exponent, at) => self.real_power(base, exponent, at.0)?,
             Tree::Root(radicand, index, _) => {
                 let radicand = self.tree(radicand)?;
-                self.statement.terms.elementary(Elementary::Root(*index), radicand)
+                self.statement
+                    .terms_mut()
+                    .elementary(Elementary::Root(*index), radicand)
             }
             Tree::PlusMinus(body) => self.signed(body, true)?,
             Tree::MinusPlus(body) => self.signed(body, false)?,
@@ -904,12 +905,12 @@ impl<'a> Builder<'a> {
         Ok(if upper == plus_above {
             body
         } else {
-            self.statement.terms.negative(body)
+            self.statement.terms_mut().negative(body)
         })
     }
 
     fn power(&mut self, base: Term, exponent: i32) -> Term {
-        let terms = &mut self.statement.terms;
+        let terms = self.statement.terms_mut();
         match exponent {
             1 => base,
             2.. | 0 => terms.add(Node::Power(base, exponent)),
@@ -941,11 +942,11 @@ impl<'a> Builder<'a> {
             && is_letter(name, "e")
             && !self.is_declared(name)
         {
-            return Ok(self.statement.terms.elementary(Elementary::Exp, exponent));
+            return Ok(self.statement.terms_mut().elementary(Elementary::Exp, exponent));
         }
         let base = self.tree(base)?;
-        let mut expansion = super::expand::Expansion::new(BTreeSet::new(), 1000);
-        let constant = expansion.of(&self.statement.terms, exponent).ok();
+        let mut expansion = Expansion::new(BTreeSet::new(), 1000);
+        let constant = expansion.of(self.statement.terms(), exponent).ok();
         let constant = constant.filter(|quotient| is_number && quotient.divisors.is_empty());
         if let Some(Rational(value)) = constant.and_then(|quotient| quotient.numerator.as_constant()) {
             let index = u32::try_from(value.denominator()).ok().filter(|index| *index <= 1000);
@@ -958,10 +959,10 @@ impl<'a> Builder<'a> {
             if index == 1 {
                 return Ok(self.power(base, power));
             }
-            if !self.statement.complex {
+            if !self.statement.is_complex() {
                 self.brought.push((Property::NonNegative, base));
             }
-            let root = self.statement.terms.elementary(Elementary::Root(index), base);
+            let root = self.statement.terms_mut().elementary(Elementary::Root(index), base);
             return Ok(self.power(root, power));
         }
         // what the exponent is called does not matter where it is an integer
@@ -969,7 +970,7 @@ impl<'a> Builder<'a> {
         let integer = [exponent, meant].into_iter().find(|term| self.is_integer(*term));
         let (whole, exponent) = (integer.is_some(), integer.unwrap_or(exponent));
         if !whole {
-            let principal = self.statement.complex;
+            let principal = self.statement.is_complex();
             let property = if principal {
                 Property::Nonzero
             } else {
@@ -977,8 +978,8 @@ impl<'a> Builder<'a> {
             };
             self.brought.push((property, base));
         }
-        if matches!(self.statement.terms.node(base), Node::Number(value) if value.0.is_zero()) {
-            if self.statement.complex {
+        if matches!(self.statement.terms().node(base), Node::Number(value) if value.0.is_zero()) {
+            if self.statement.is_complex() {
                 return Err(unreadable(at, "powers of 0 among complex numbers are not read"));
             }
             // 0^0 is 1 where the exponent is an integer
@@ -989,7 +990,7 @@ impl<'a> Builder<'a> {
             };
             self.brought.push((property, exponent));
         }
-        Ok(self.statement.terms.add(Node::RealPower(base, exponent)))
+        Ok(self.statement.terms_mut().add(Node::RealPower(base, exponent)))
     }
 
     fn is_assumed_integer(&self, quantity: &Quantity) -> bool {
@@ -999,7 +1000,7 @@ impl<'a> Builder<'a> {
     /// Whether a term is written with numbers and symbols declared or assumed to be integers alone, and is, multiplied out, a polynomial
     /// that is an integer wherever these are.
     fn is_integer(&self, term: Term) -> bool {
-        let terms = &self.statement.terms;
+        let terms = self.statement.terms();
         let may_stand = |inner: Term| match terms.node(inner) {
             Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => true,
             Node::Symbol(symbol) => self.statement.quantity(*symbol).is_some_and(|quantity| {
@@ -1011,7 +1012,7 @@ impl<'a> Builder<'a> {
         if !terms.inside(term).into_iter().all(may_stand) {
             return false;
         }
-        let mut expansion = super::expand::Expansion::new(BTreeSet::new(), 1000);
+        let mut expansion = Expansion::new(BTreeSet::new(), 1000);
         expansion
             .of(terms, term)
             .is_ok_and(|quotient| quotient.divisors.is_empty() && quotient.numerator.is_integer_valued())
@@ -1031,13 +1032,13 @@ impl<'a> Builder<'a> {
             let symbol = self
                 .statement
                 .symbol_of(Quantity::Parameter(name.clone()), || name.to_string());
-            return Ok(self.statement.terms.symbol(symbol));
+            return Ok(self.statement.terms_mut().symbol(symbol));
         }
         if let Some(tree) = self.symbols.abbreviation(name) {
             return self.abbreviation(name, tree, 0, at);
         }
         if let Some(symbol) = self.quantity(name).or_else(|| self.absolute(name)) {
-            return Ok(self.statement.terms.symbol(symbol));
+            return Ok(self.statement.terms_mut().symbol(symbol));
         }
         if self.symbols.running() == Some(name) {
             return self.running();
@@ -1048,14 +1049,14 @@ impl<'a> Builder<'a> {
             return self.value_of(name, u32::from(name.primes), time);
         }
         if is_letter(name, r"\pi") {
-            return Ok(self.statement.terms.add(Node::Pi));
+            return Ok(self.statement.terms_mut().add(Node::Pi));
         }
         if is_letter(name, "e") {
-            let one = self.statement.terms.integer(1);
-            return Ok(self.statement.terms.elementary(Elementary::Exp, one));
+            let one = self.statement.terms_mut().integer(1);
+            return Ok(self.statement.terms_mut().elementary(Elementary::Exp, one));
         }
         if is_letter(name, "i") {
-            return Ok(self.statement.terms.add(Node::Imaginary));
+            return Ok(self.statement.terms_mut().add(Node::Imaginary));
         }
         Err(unreadable(at, format!("unknown symbol `{name}`")))
     }
@@ -1083,8 +1084,8 @@ impl<'a> Builder<'a> {
             scope,
         };
         let symbol = self.statement.symbol_of(quantity, || name.to_string());
-        self.statement.definitions.insert(symbol, meaning);
-        let term = self.statement.terms.symbol(symbol);
+        self.statement.parts().definitions.insert(symbol, meaning);
+        let term = self.statement.terms_mut().symbol(symbol);
         self.known.insert((name.clone(), scope), term);
         self.meant.insert(term, needs);
         Ok(term)
@@ -1163,7 +1164,7 @@ impl<'a> Builder<'a> {
             let departs = name.mark == "+" || at_departure;
             let letter = self.symbols.index.clone();
             let symbol = self.statement.state(&name.bare(), index, departs, &letter);
-            return Ok(self.statement.terms.symbol(symbol));
+            return Ok(self.statement.terms_mut().symbol(symbol));
         }
         if !name.mark.is_empty() {
             return Err(unreadable(
@@ -1188,8 +1189,8 @@ impl<'a> Builder<'a> {
             r"\arctan" => Elementary::Arctan,
             r"\abs" => {
                 self.real_only = true;
-                let square = self.statement.terms.add(Node::Power(of, 2));
-                return Some(self.statement.terms.elementary(Elementary::Root(2), square));
+                let square = self.statement.terms_mut().add(Node::Power(of, 2));
+                return Some(self.statement.terms_mut().elementary(Elementary::Root(2), square));
             }
             _ => {
                 let letter = Tree::Symbol(Name::default(), At::default());
@@ -1197,7 +1198,7 @@ impl<'a> Builder<'a> {
                 return self.defined(&definition, of);
             }
         };
-        Some(self.statement.terms.elementary(own, of))
+        Some(self.statement.terms_mut().elementary(own, of))
     }
 
     /// The term of a definition, where each symbol stands for this one.
@@ -1205,30 +1206,32 @@ impl<'a> Builder<'a> {
         let mut part = |tree: &Tree| self.defined(tree, of);
         Some(match definition {
             Tree::Symbol(..) => of,
-            Tree::Number(value) => self.statement.terms.number(value.clone()),
+            Tree::Number(value) => self.statement.terms_mut().number(value.clone()),
             Tree::Negate(inner) => {
                 let inner = part(inner)?;
-                self.statement.terms.negative(inner)
+                self.statement.terms_mut().negative(inner)
             }
             Tree::Sum(parts) => {
                 let parts = parts.iter().map(part).collect::<Option<_>>()?;
-                self.statement.terms.sum(parts)
+                self.statement.terms_mut().sum(parts)
             }
             Tree::Product(parts) => {
                 let parts = parts.iter().map(part).collect::<Option<_>>()?;
-                self.statement.terms.product(parts)
+                self.statement.terms_mut().product(parts)
             }
             Tree::Quotient(above, below, _) => {
                 let (above, below) = (part(above)?, part(below)?);
-                self.statement.terms.quotient(above, below)
+                self.statement.terms_mut().quotient(above, below)
             }
             Tree::Power(base, exponent, _) => {
                 let base = part(base)?;
-                self.statement.terms.add(Node::Power(base, *exponent))
+                self.statement.terms_mut().add(Node::Power(base, *exponent))
             }
             Tree::Root(radicand, index, _) => {
                 let radicand = part(radicand)?;
-                self.statement.terms.elementary(Elementary::Root(*index), radicand)
+                self.statement
+                    .terms_mut()
+                    .elementary(Elementary::Root(*index), radicand)
             }
             Tree::Call(name, argument, _) => {
                 let argument = part(argument)?;
@@ -1307,7 +1310,7 @@ impl<'a> Builder<'a> {
             .filter(|step| step.by.contains(&by))
             .collect();
         if here.iter().any(|step| step.by.contains(&of)) {
-            return Some(self.statement.terms.integer(i64::from(of == by)));
+            return Some(self.statement.terms_mut().integer(i64::from(of == by)));
         }
         if let Some(step) = here.iter().find(|step| step.of.contains(&of)) {
             return Some(self.slope(of, by, step));
@@ -1319,10 +1322,10 @@ impl<'a> Builder<'a> {
             let chained = step.of.iter().map(|&between| {
                 let inner = self.slope(between, by, step);
                 let outer = self.entry(of, between, steps, left - 1)?;
-                Some(self.statement.terms.product(vec![outer, inner]))
+                Some(self.statement.terms_mut().product(vec![outer, inner]))
             });
             if let Some(parts) = chained.collect::<Option<Vec<Term>>>() {
-                return Some(self.statement.terms.sum(parts));
+                return Some(self.statement.terms_mut().sum(parts));
             }
         }
         None
@@ -1333,14 +1336,14 @@ impl<'a> Builder<'a> {
         let place = step.of.iter().position(|&known| known == of);
         let Some(&image) = place.and_then(|place| step.images.get(place)) else {
             let partial = self.statement.partial(of, by);
-            return self.statement.terms.symbol(partial);
+            return self.statement.terms_mut().symbol(partial);
         };
         self.written.push(image);
         self.follows(step);
         // the derivative of an equation that holds at single points only says nothing
         let domain = self.statement.domain(image);
         let near = self.statement.holding_near(&domain, &[image], &Statement::moves_along);
-        let label = format!("{DERIVATIVES_EXIST} {}", self.statement.terms.symbol_name(of));
+        let label = format!("{DERIVATIVES_EXIST} {}", self.statement.terms().symbol_name(of));
         for (property, of) in near.unwrap_or_default() {
             self.push(&label, property, of, None);
         }
@@ -1349,8 +1352,13 @@ impl<'a> Builder<'a> {
 
     /// Lists an explicit map among those that derivatives are taken along.
     fn follows(&mut self, step: &Step) {
-        if self.statement.outright.iter().all(|known| known.name != step.name) {
-            self.statement.outright.push(step.clone());
+        if self
+            .statement
+            .outright_maps()
+            .iter()
+            .all(|known| known.name != step.name)
+        {
+            self.statement.parts().outright.push(step.clone());
         }
     }
 
@@ -1359,7 +1367,7 @@ impl<'a> Builder<'a> {
             let quantity = Quantity::Invariant { kind, of: of.clone() };
             let word = if kind == Invariant::Trace { "Tr" } else { "Det" };
             let symbol = self.statement.symbol_of(quantity, || format!("{word}({of})"));
-            return Ok(self.statement.terms.symbol(symbol));
+            return Ok(self.statement.terms_mut().symbol(symbol));
         }
         let steps = self.map_steps()?;
         let matrix = self.matrix(of, &steps, self.symbols.maps().count()).ok_or_else(|| {
@@ -1377,7 +1385,7 @@ impl<'a> Builder<'a> {
         Ok(match kind {
             Invariant::Trace => {
                 let diagonal = (0..matrix.len()).map(|n| matrix[n][n]).collect();
-                self.statement.terms.sum(diagonal)
+                self.statement.terms_mut().sum(diagonal)
             }
             Invariant::Determinant => determinant(&mut self.statement, &matrix),
         })
@@ -1414,7 +1422,7 @@ impl<'a> Builder<'a> {
         if a.iter().any(|row| row.len() != b.len()) {
             return None;
         }
-        let terms = &mut self.statement.terms;
+        let terms = self.statement.terms_mut();
         let mut entry = |row: &Vec<Term>, column: usize| {
             let parts = row
                 .iter()
@@ -1517,7 +1525,7 @@ impl<'a> Builder<'a> {
         let mut outright = equations.iter().filter_map(|equation| {
             let left = self.tree(&equation.left).ok()?;
             let is_outright =
-                equation.relation == Relation::Equal && *self.statement.terms.node(left) == Node::Symbol(of);
+                equation.relation == Relation::Equal && *self.statement.terms().node(left) == Node::Symbol(of);
             is_outright.then(|| self.tree(&equation.right).ok()).flatten()
         });
         let image = outright.next().filter(|_| equations.len() == step.of.len())?;
@@ -1526,9 +1534,9 @@ impl<'a> Builder<'a> {
             let quantity = self.statement.quantity(symbol);
             matches!(quantity, Some(Quantity::Time { .. } | Quantity::State { .. })) && !step.by.contains(&symbol)
         };
-        let mut inside = self.statement.terms.inside(written).into_iter();
+        let mut inside = self.statement.terms().inside(written).into_iter();
         let moved =
-            inside.any(|inner| matches!(self.statement.terms.node(inner), Node::Symbol(symbol) if moves(*symbol)));
+            inside.any(|inner| matches!(self.statement.terms().node(inner), Node::Symbol(symbol) if moves(*symbol)));
         (!moved).then_some(written)
     }
 
@@ -1574,7 +1582,7 @@ impl<'a> Builder<'a> {
             let [Some((last, false)), Some((first, false))] = ends else {
                 continue;
             };
-            let named = || (0_u32..).map(Symbol).zip(&self.statement.quantities);
+            let named = || (0_u32..).map(Symbol).zip(self.statement.quantities());
             let at = |index: i32| -> Vec<Symbol> {
                 let there = named().filter(|(_, quantity)| place(quantity) == Some((index, false)));
                 there.map(|(symbol, _)| symbol).collect()
@@ -1628,7 +1636,7 @@ impl<'a> Builder<'a> {
                 Some(_) => {}
             }
             match step.images.is_empty() {
-                true => self.statement.steps.push(step),
+                true => self.statement.parts().steps.push(step),
                 false => self.follows(&step),
             }
         }
@@ -1637,25 +1645,29 @@ impl<'a> Builder<'a> {
 
     /// Takes as given that derivatives along maps exist, where the claim or a premise speaks of such.
     fn derivatives_exist(&mut self, goal: &[(Property, Term)]) {
-        let givens = self.statement.givens.iter().map(|given| given.term);
-        let beside = self.statement.beside.iter().copied();
+        let givens = self.statement.givens().iter().map(|given| given.term);
+        let beside = self.statement.beside().iter().copied();
         let spoken: Vec<Term> = givens.chain(goal.iter().map(|(_, term)| *term)).chain(beside).collect();
         let mut partials: BTreeSet<Symbol> = BTreeSet::new();
         for term in spoken {
             let term = self.statement.written_out(term);
-            for inner in self.statement.terms.inside(term) {
-                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
+            for inner in self.statement.terms().inside(term) {
+                if let Node::Symbol(symbol) = self.statement.terms().node(inner)
                     && let Some(Quantity::Partial { of, .. }) = self.statement.quantity(*symbol)
                 {
                     partials.insert(*of);
                 }
             }
         }
-        for step in self.statement.steps.clone() {
+        for step in self.statement.steps().to_vec() {
             let is_determined = step.equations.len() == step.of.len();
             if is_determined && step.of.iter().any(|of| partials.contains(of)) {
                 let term = slope_determinant(&mut self.statement, &step);
-                let names: Vec<&str> = step.of.iter().map(|of| self.statement.terms.symbol_name(*of)).collect();
+                let names: Vec<&str> = step
+                    .of
+                    .iter()
+                    .map(|of| self.statement.terms().symbol_name(*of))
+                    .collect();
                 let label = format!("{DERIVATIVES_EXIST} {}", names.join(", "));
                 self.push(&label, Property::Nonzero, term, None);
             }
