@@ -1,6 +1,6 @@
 //! Maps given implicitly: which of the givens determine a map.
 
-use kernel::{ASSUMPTIONS, Expansion, Node, Polynomial, Property, Quantity, Statement, Step, Symbol, Term};
+use kernel::{Expansion, Node, Origin, Polynomial, Property, Quantity, Statement, Step, Symbol, Term};
 use std::collections::BTreeSet;
 
 /// A Mersenne prime, 2^61 - 1.
@@ -10,29 +10,29 @@ const PRIME: u128 = (1 << 61) - 1;
 /// a state before the others, each taken if it makes the rank of the slopes by what the map gives larger. What is left
 /// and does not lead from one impact to the next, or speaks of times alone where those with states suffice, restricts the
 /// point; where something else is left, nothing tells which of these is the map, and none determines it. What is given
-/// under a label of `pointwise` may hold at single points only.
-pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String]) -> Vec<(String, Term)> {
-    let mut candidates: Vec<(String, Term)> = Vec::new();
-    let mut slopes: Vec<(String, Term)> = Vec::new();
+/// under a origin of `pointwise` may hold at single points only.
+pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[Origin]) -> Vec<(Origin, Term)> {
+    let mut candidates: Vec<(Origin, Term)> = Vec::new();
+    let mut slopes: Vec<(Origin, Term)> = Vec::new();
     for number in 0..statement.givens().len() {
         let given = statement.givens()[number].clone();
         // what is assumed of the claim is said of the point, and a law that holds at times only of these
         let everywhere = given.law.as_ref().is_none_or(|law| law.conditions.is_empty());
-        let everywhere = everywhere && !pointwise.contains(&given.label);
-        if given.property != Property::Zero || given.label == ASSUMPTIONS || !everywhere {
+        let everywhere = everywhere && !pointwise.contains(&given.origin);
+        if given.property != Property::Zero || given.origin == Origin::Assumptions || !everywhere {
             continue;
         }
         match &given.law {
-            None => candidates.push((given.label, given.term)),
+            None => candidates.push((given.origin, given.term)),
             Some(law) if law.flight.is_some() => {
-                let (flight, label) = (law.flight.unwrap_or(0), given.label);
+                let (flight, origin) = (law.flight.unwrap_or(0), given.origin);
                 let times: Vec<(i32, Symbol)> = statement.times().iter().map(|(n, t)| (*n, *t)).collect();
                 let ends = times.into_iter().filter(|(_, time)| step.of.contains(time));
                 for (index, time) in ends.collect::<Vec<_>>() {
                     let time = statement.terms_mut().symbol(time);
                     let shift = index - 1 - flight;
                     if let Some(instance) = statement.instance(number, Some(time), shift, None) {
-                        candidates.push((label.clone(), instance.term));
+                        candidates.push((origin.clone(), instance.term));
                     }
                     // of a law that holds at all times its derivative holds as well
                     let running = statement.fresh("t");
@@ -44,7 +44,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
                         && near.is_empty()
                     {
                         let slope = statement.derivative(instance.term, running);
-                        slopes.push((label.clone(), statement.moved(slope, Some((running, time)), 0)));
+                        slopes.push((origin.clone(), statement.moved(slope, Some((running, time)), 0)));
                     }
                 }
             }
@@ -54,7 +54,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
     // a slope may be what another premise says, as (3) is that of (4); else it holds at every impact, and is no condition
     // on the point
     let mut universal: BTreeSet<Term> = BTreeSet::new();
-    for (label, slope) in slopes {
+    for (origin, slope) in slopes {
         let is_said = candidates.clone().into_iter().any(|(_, term)| {
             let terms = statement.terms_mut();
             let apart = [terms.difference(term, slope), terms.sum(vec![term, slope])];
@@ -65,7 +65,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
             })
         });
         if !is_said {
-            candidates.push((label, slope));
+            candidates.push((origin, slope));
             universal.insert(slope);
         }
     }
@@ -75,9 +75,9 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
             Some(Quantity::Time { .. } | Quantity::State { .. })
         )
     };
-    let mut fitting: Vec<(bool, String, Term)> = Vec::new();
+    let mut fitting: Vec<(bool, Origin, Term)> = Vec::new();
     let mut leading: BTreeSet<(bool, Term)> = BTreeSet::new();
-    for (label, term) in candidates {
+    for (origin, term) in candidates {
         let written = statement.written_out(term);
         let met: BTreeSet<Symbol> = statement
             .terms()
@@ -110,13 +110,13 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
             if universal.contains(&term) || met.iter().any(|symbol| step.by.contains(symbol)) {
                 leading.insert((!state, term));
             }
-            fitting.push((!state, label, term));
+            fitting.push((!state, origin, term));
         }
     }
     fitting.sort_by_key(|(without_state, ..)| *without_state);
-    let mut chosen: Vec<(bool, String, Term)> = Vec::new();
+    let mut chosen: Vec<(bool, Origin, Term)> = Vec::new();
     let mut rows: Vec<Vec<u128>> = Vec::new();
-    for (without_state, label, term) in fitting {
+    for (without_state, origin, term) in fitting {
         if chosen.len() == step.of.len() {
             break;
         }
@@ -124,7 +124,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
         let Some(slopes) = slopes else { continue };
         rows.push(slopes);
         if rank(&rows) == rows.len() {
-            chosen.push((without_state, label, term));
+            chosen.push((without_state, origin, term));
         } else {
             rows.pop();
         }
@@ -136,7 +136,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String])
     };
     match chosen.len() == step.of.len() && leading.iter().any(is_rival) {
         true => Vec::new(),
-        false => chosen.into_iter().map(|(_, label, term)| (label, term)).collect(),
+        false => chosen.into_iter().map(|(_, origin, term)| (origin, term)).collect(),
     }
 }
 

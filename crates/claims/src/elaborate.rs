@@ -4,8 +4,8 @@ use super::definition::Local;
 use super::determining::determining;
 use super::premise::Statements;
 use kernel::{
-    ASSUMPTIONS, CLAIM_DOMAIN, DERIVATIVES_EXIST, Draft, Elementary, Expansion, FunctionOf, Given, Law, Monomial, Node,
-    Property, Quantity, Statement, Step, Symbol, Term, determinant, is_letter, slope_determinant,
+    Draft, Elementary, Expansion, FunctionOf, Given, Law, Monomial, Node, Origin, Property, Quantity, Statement, Step,
+    Symbol, Term, determinant, is_letter, slope_determinant,
 };
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
@@ -180,8 +180,8 @@ struct Builder<'a> {
     opaque: bool,
     /// Whether what `[symbols]` says of signs is among the givens.
     is_declared: bool,
-    /// The labels of premises whose own conditions may hold at single points only: no map is differentiated there.
-    pointwise: Vec<String>,
+    /// The premises whose own conditions may hold at single points only: no map is differentiated there.
+    pointwise: Vec<Origin>,
     /// The maps from one impact to the next whose derivatives are written, where the symbol table names no map.
     implied: Vec<(Name, Step)>,
     /// The names that the premises write, and whether one of them is a law of flight.
@@ -244,7 +244,7 @@ impl<'a> Builder<'a> {
             for condition in &premise.assume {
                 conditions.push(builder.condition(condition).map_err(named)?);
             }
-            builder.give(&own_label(&premise.label), property, term, conditions);
+            builder.give(Origin::Premise(premise.label.clone()), property, term, conditions);
         }
         let number = statements
             .claims
@@ -256,16 +256,16 @@ impl<'a> Builder<'a> {
         for condition in &statements.assume {
             let (property, term) = builder.condition(condition)?;
             builder.written.push(term);
-            builder.push(ASSUMPTIONS, property, term, None);
+            builder.push(Origin::Assumptions, property, term, None);
             for (property, term) in std::mem::take(&mut builder.brought) {
-                builder.push(CLAIM_DOMAIN, property, term, None);
+                builder.push(Origin::ClaimDomain, property, term, None);
             }
         }
         for relation in &symbols.relations {
             let (property, term) = builder.relation(relation)?;
-            builder.push(&relation.to_string(), property, term, None);
+            builder.push(Origin::Table(relation.to_string()), property, term, None);
             for (property, term) in std::mem::take(&mut builder.brought) {
-                builder.push(&relation.to_string(), property, term, None);
+                builder.push(Origin::Table(relation.to_string()), property, term, None);
             }
         }
         builder.declare_periods()?;
@@ -299,9 +299,9 @@ impl<'a> Builder<'a> {
     }
 
     /// Takes what was read as given: once, or as a law where it runs over times or indices.
-    fn give(&mut self, label: &str, property: Property, term: Term, mut conditions: Vec<(Property, Term)>) {
+    fn give(&mut self, origin: Origin, property: Property, term: Term, mut conditions: Vec<(Property, Term)>) {
         if !self.holds_near(&conditions) {
-            self.pointwise.push(label.to_string());
+            self.pointwise.push(origin.clone());
         }
         conditions.append(&mut self.brought);
         let said: Vec<Term> = conditions.iter().map(|(_, of)| *of).chain([term]).collect();
@@ -318,9 +318,9 @@ impl<'a> Builder<'a> {
                 all.extend(self.statement.domain(*of));
             }
             all.extend(conditions);
-            self.push(label, property, term, None);
+            self.push(origin.clone(), property, term, None);
             for (property, of) in all {
-                self.push(&format!("the domain of ({label})"), property, of, None);
+                self.push(Origin::DomainOf(origin.to_string()), property, of, None);
             }
             return;
         }
@@ -331,7 +331,7 @@ impl<'a> Builder<'a> {
             every_impact,
             conditions,
         };
-        self.push(label, property, term, Some(law));
+        self.push(origin, property, term, Some(law));
     }
 
     /// Whether these conditions hold near any point at which they hold, as times and states change.
@@ -352,11 +352,11 @@ impl<'a> Builder<'a> {
         near.is_some_and(|near| near.is_empty())
     }
 
-    fn push(&mut self, label: &str, property: Property, term: Term, law: Option<Law>) {
+    fn push(&mut self, origin: Origin, property: Property, term: Term, law: Option<Law>) {
         let known = |given: &Given| given.property == property && given.term == term && given.law == law;
         if !self.statement.givens().iter().any(known) {
             self.statement.parts().givens.push(Given {
-                label: label.to_string(),
+                origin,
                 property,
                 term,
                 law,
@@ -403,7 +403,7 @@ impl<'a> Builder<'a> {
         self.written.push(goal.1);
         let brought = std::mem::take(&mut self.brought);
         for (property, term) in brought {
-            self.push(CLAIM_DOMAIN, property, term, None);
+            self.push(Origin::ClaimDomain, property, term, None);
         }
         Ok(goal)
     }
@@ -436,7 +436,7 @@ impl<'a> Builder<'a> {
                     self.statement.parts().beside.push(term);
                     self.written.push(term);
                     for (property, of) in conditions {
-                        self.push(CLAIM_DOMAIN, property, of, None);
+                        self.push(Origin::ClaimDomain, property, of, None);
                     }
                 }
             }
@@ -450,7 +450,7 @@ impl<'a> Builder<'a> {
             self.written.push(term);
         }
         for (property, term) in std::mem::take(&mut self.brought) {
-            self.push(CLAIM_DOMAIN, property, term, None);
+            self.push(Origin::ClaimDomain, property, term, None);
         }
         Ok(())
     }
@@ -477,7 +477,7 @@ impl<'a> Builder<'a> {
         let term = self.tree(tree)?;
         let brought = std::mem::take(&mut self.brought);
         for (property, term) in brought {
-            self.push(CLAIM_DOMAIN, property, term, None);
+            self.push(Origin::ClaimDomain, property, term, None);
         }
         Ok(term)
     }
@@ -500,7 +500,7 @@ impl<'a> Builder<'a> {
                 continue;
             }
             if given.law.is_some() {
-                let message = format!("({}) is a law: it is not solved for single values", given.label);
+                let message = format!("({}) is a law: it is not solved for single values", given.origin);
                 return Err(unreadable(at, message));
             }
             goals.push((
@@ -595,7 +595,7 @@ impl<'a> Builder<'a> {
         }
         for term in std::mem::take(&mut self.written) {
             for (property, of) in self.statement.domain(term) {
-                self.push(CLAIM_DOMAIN, property, of, None);
+                self.push(Origin::ClaimDomain, property, of, None);
             }
         }
         if self.statement.is_complex() {
@@ -721,17 +721,17 @@ impl<'a> Builder<'a> {
                 Quantity::Running => symbols.running().cloned().unwrap_or_default(),
                 _ => continue,
             };
-            let label = format!("[symbols] {name}");
+            let origin = Origin::Declared(name.to_string());
             let term = self.statement.terms_mut().symbol(symbol);
             for (kind, property) in &lists {
                 if self.is_listed(&quantity, kind) {
-                    self.push(&label, *property, term, None);
+                    self.push(origin.clone(), *property, term, None);
                 }
             }
             if self.is_listed(&quantity, &Meaning::AtMostOne) {
                 let one = self.statement.terms_mut().integer(1);
                 let rest = self.statement.terms_mut().difference(one, term);
-                self.push(&label, Property::NonNegative, rest, None);
+                self.push(origin.clone(), Property::NonNegative, rest, None);
             }
             if self.is_listed(&quantity, &Meaning::Generic) {
                 self.statement.parts().generic.push(symbol);
@@ -781,7 +781,12 @@ impl<'a> Builder<'a> {
             let function = self.statement.function_of(FunctionOf::Line(name.clone()));
             let left = self.statement.value(function, 1, time);
             let term = self.statement.terms_mut().difference(left, right);
-            self.give(&format!("the derivative of {name}"), Property::Zero, term, Vec::new());
+            self.give(
+                Origin::Table(format!("the derivative of {name}")),
+                Property::Zero,
+                term,
+                Vec::new(),
+            );
         }
         Ok(())
     }
@@ -792,7 +797,12 @@ impl<'a> Builder<'a> {
             let later = self.statement.terms_mut().sum(vec![time, period]);
             let (now, then) = (self.value_of(name, 0, time)?, self.value_of(name, 0, later)?);
             let term = self.statement.terms_mut().difference(then, now);
-            self.give(&format!("the period of {name}"), Property::Zero, term, Vec::new());
+            self.give(
+                Origin::Table(format!("the period of {name}")),
+                Property::Zero,
+                term,
+                Vec::new(),
+            );
         }
         Ok(())
     }
@@ -1343,9 +1353,9 @@ impl<'a> Builder<'a> {
         // the derivative of an equation that holds at single points only says nothing
         let domain = self.statement.domain(image);
         let near = self.statement.holding_near(&domain, &[image], &Statement::moves_along);
-        let label = format!("{DERIVATIVES_EXIST} {}", self.statement.terms().symbol_name(of));
+        let origin = Origin::DerivativesExist(self.statement.terms().symbol_name(of).to_owned());
         for (property, of) in near.unwrap_or_default() {
-            self.push(&label, property, of, None);
+            self.push(origin.clone(), property, of, None);
         }
         self.statement.along(image, step, by)
     }
@@ -1504,7 +1514,7 @@ impl<'a> Builder<'a> {
         let mut rows = Vec::new();
         for equation in equations {
             let (_, term) = self.relation(equation)?;
-            rows.push((format!("the map {map}"), term));
+            rows.push((Origin::Table(format!("the map {map}")), term));
         }
         let mut step = Step {
             name: map.to_string(),
@@ -1623,8 +1633,8 @@ impl<'a> Builder<'a> {
                     step.equations = determining(&mut self.statement, &step, &self.pointwise);
                 }
                 None => {
-                    for (label, term) in step.equations.clone() {
-                        self.give(&label, Property::Zero, term, step.conditions.clone());
+                    for (origin, term) in step.equations.clone() {
+                        self.give(origin, Property::Zero, term, step.conditions.clone());
                     }
                 }
                 Some((rival, _)) if step.images.is_empty() => {
@@ -1668,8 +1678,8 @@ impl<'a> Builder<'a> {
                     .iter()
                     .map(|of| self.statement.terms().symbol_name(*of))
                     .collect();
-                let label = format!("{DERIVATIVES_EXIST} {}", names.join(", "));
-                self.push(&label, Property::Nonzero, term, None);
+                let origin = Origin::DerivativesExist(names.join(", "));
+                self.push(origin, Property::Nonzero, term, None);
             }
         }
     }
@@ -1685,17 +1695,6 @@ fn names_in(equation: &Equation) -> BTreeSet<Name> {
         false
     });
     named
-}
-
-/// The label of a premise, told apart from those that the kernel gives itself.
-fn own_label(label: &str) -> String {
-    let is_kernels = [CLAIM_DOMAIN, ASSUMPTIONS].contains(&label)
-        || label.starts_with(DERIVATIVES_EXIST)
-        || label.starts_with("[symbols]");
-    match is_kernels {
-        true => format!("premise {label}"),
-        false => label.to_string(),
-    }
 }
 
 /// Products of terms for the equation of which a claim states the solutions.

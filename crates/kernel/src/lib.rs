@@ -43,8 +43,7 @@ pub use expand::{Derivatives, Expansion, Quotient, Refusal, vanishes};
 pub use implicit::{determinant, slope_determinant};
 pub use polynomial::{Monomial, Polynomial, product};
 pub use statement::{
-    ASSUMPTIONS, CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Property, Quantity, Statement,
-    Step, is_letter,
+    DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Origin, Property, Quantity, Statement, Step, is_letter,
 };
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
 pub use verdict::{

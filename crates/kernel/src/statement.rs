@@ -3,16 +3,46 @@
 use super::expand::{Derivatives, derivative, value};
 use super::term::{Elementary, Function, Node, Symbol, Term, Terms};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use texmath::{Invariant, Name};
 
-/// The label of what must hold for the claim to be defined.
-pub const CLAIM_DOMAIN: &str = "the domain of the claim";
+/// Where what is given comes from.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// A premise or an equation of a map, with its label.
+    Premise(String),
+    /// What must hold for a premise to be defined.
+    DomainOf(String),
+    /// What must hold for the claim to be defined.
+    ClaimDomain,
+    /// What is assumed of the claim.
+    Assumptions,
+    /// What is declared of the symbol of this name.
+    Declared(String),
+    /// The derivative, the period or the relation that the symbol table gives.
+    Table(String),
+    /// That derivatives along a map exist, of these quantities: what a proof excludes.
+    DerivativesExist(String),
+    /// That a map or a flight of a witness is what it is.
+    Witness(&'static str),
+}
 
-/// The label of what is assumed of the claim.
-pub const ASSUMPTIONS: &str = "the assumptions";
-
-/// How the given begins that derivatives along a map exist: what a proof excludes.
+/// How it is printed that derivatives exist.
 pub const DERIVATIVES_EXIST: &str = "derivatives exist of";
+
+impl fmt::Display for Origin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Premise(label) | Self::Table(label) => f.write_str(label),
+            Self::DomainOf(label) => write!(f, "the domain of ({label})"),
+            Self::ClaimDomain => f.write_str("the domain of the claim"),
+            Self::Assumptions => f.write_str("the assumptions"),
+            Self::Declared(name) => write!(f, "[symbols] {name}"),
+            Self::DerivativesExist(of) => write!(f, "{DERIVATIVES_EXIST} {of}"),
+            Self::Witness(what) => f.write_str(what),
+        }
+    }
+}
 
 /// A property of the value of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -90,7 +120,7 @@ pub struct Law {
 /// Something that is taken as true.
 #[derive(Clone, Debug)]
 pub struct Given {
-    pub label: String,
+    pub origin: Origin,
     pub property: Property,
     pub term: Term,
     pub law: Option<Law>,
@@ -112,8 +142,8 @@ pub struct Step {
     pub name: String,
     pub of: Vec<Symbol>,
     pub by: Vec<Symbol>,
-    /// The terms that vanish along the map and determine it, with the labels of the givens they come from.
-    pub equations: Vec<(String, Term)>,
+    /// The terms that vanish along the map and determine it, with where the givens come from that they are of.
+    pub equations: Vec<(Origin, Term)>,
     /// What each of `of` is, where the equations of a map say so outright in `by` and symbols that do not move.
     pub images: Vec<Term>,
     /// What must hold for its equations to be defined, besides what their terms show.
@@ -259,7 +289,7 @@ impl Statement {
     /// The statement without what must hold for the claim to be defined, and without the claim.
     pub fn premises(&self) -> Self {
         let mut premises = self.clone();
-        premises.givens.retain(|given| given.label != CLAIM_DOMAIN);
+        premises.givens.retain(|given| given.origin != Origin::ClaimDomain);
         premises.goal.clear();
         premises.identity = 0;
         premises

@@ -3,7 +3,7 @@
 use super::certificate::Certificate;
 use super::check::Checker;
 use super::expand::Refusal;
-use super::statement::{DERIVATIVES_EXIST, Property, Statement};
+use super::statement::{Origin, Property, Statement};
 use super::term::Term;
 use super::witness::{At, Witness};
 use std::collections::BTreeSet;
@@ -224,7 +224,8 @@ pub fn contradicts(certificate: &With<Certificate>) -> Result<(), Refusal> {
 
 /// The givens of the statement that derivatives exist, which no premise says.
 fn provided(statement: &Statement) -> Vec<String> {
-    let labels = statement.givens.iter().map(|given| &given.label);
-    let labels: BTreeSet<&String> = labels.filter(|label| label.starts_with(DERIVATIVES_EXIST)).collect();
-    labels.into_iter().cloned().collect()
+    let origins = statement.givens.iter().map(|given| &given.origin);
+    let origins = origins.filter(|origin| matches!(origin, Origin::DerivativesExist(_)));
+    let provided: BTreeSet<String> = origins.map(ToString::to_string).collect();
+    provided.into_iter().collect()
 }

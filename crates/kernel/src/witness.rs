@@ -5,7 +5,7 @@ use super::check::Checker;
 use super::enclosure;
 use super::expand::{Expansion, Refusal, derivative, vanishes};
 use super::polynomial::Polynomial;
-use super::statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step};
+use super::statement::{FunctionOf, Given, Instance, Law, Origin, Property, Quantity, Statement, Step};
 use super::term::{Elementary, Function, Node, Symbol, Term};
 use num_traits::Zero;
 use numbers::Rational;
@@ -97,7 +97,7 @@ impl<'a> At<'a> {
                 Some(law) => at.law_holds(number, &given, law),
             };
             holds.map_err(|refusal| match refusal {
-                Refusal::Other(why) => Refusal::Other(format!("({}): {why}", given.label)),
+                Refusal::Other(why) => Refusal::Other(format!("({}): {why}", given.origin)),
                 refusal => refusal,
             })?;
         }
@@ -470,7 +470,7 @@ impl<'a> At<'a> {
             if wanted.is_empty() || (step.equations.len() < step.of.len() && !self.is_free(&step)?) {
                 continue;
             }
-            for (label, term) in &step.equations {
+            for (origin, term) in &step.equations {
                 for &by in &step.by {
                     if !wanted.iter().any(|(_, wanted)| *wanted == by) {
                         continue;
@@ -488,7 +488,7 @@ impl<'a> At<'a> {
                         return refused("nothing determines the derivative of what stands between the ends of a map");
                     }
                     let given = Given {
-                        label: label.clone(),
+                        origin: origin.clone(),
                         property: Property::Zero,
                         term: slope,
                         law: None,
@@ -537,7 +537,7 @@ impl<'a> At<'a> {
                 ..step.clone()
             };
             let given = Given {
-                label: super::statement::DERIVATIVES_EXIST.to_string(),
+                origin: Origin::Witness("derivatives exist of the map"),
                 property: Property::Nonzero,
                 term: super::implicit::slope_determinant(self.statement, &minor),
                 law: None,
@@ -1052,7 +1052,7 @@ impl<'a> At<'a> {
                 .collect();
             if own.is_empty() {
                 self.holds(&Given {
-                    label: "the flight beyond an impact".into(),
+                    origin: Origin::Witness("the flight beyond an impact"),
                     property: Property::Zero,
                     term: row,
                     law: None,
@@ -1162,7 +1162,7 @@ impl<'a> At<'a> {
             .statement
             .givens
             .iter()
-            .filter(|given| given.label.starts_with("[symbols]"));
+            .filter(|given| matches!(given.origin, Origin::Declared(_)));
         for term in declared.map(|given| given.term).collect::<Vec<_>>() {
             if !family(self, term).0.is_disjoint(&own) {
                 return refused("what is declared of a state is not known at every index");
@@ -1292,7 +1292,7 @@ impl<'a> At<'a> {
                 None => {
                     return refused(format!(
                         "({}) binds a function that has only single values",
-                        given.label
+                        given.origin
                     ));
                 }
             }
@@ -1429,7 +1429,7 @@ impl<'a> At<'a> {
                     let value = self.statement.terms.substitute(slope, time, end);
                     let difference = self.statement.terms.difference(value, symbol);
                     let given = Given {
-                        label: "the ends of a flight".into(),
+                        origin: Origin::Witness("the ends of a flight"),
                         property: Property::Zero,
                         term: difference,
                         law: None,

@@ -2,7 +2,9 @@
 
 use super::point::family;
 use super::print::{simplified, tex};
-use kernel::{At, EFFORT, Function, Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value};
+use kernel::{
+    At, EFFORT, Function, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value,
+};
 use numbers::{Field, Interval, Rational, Wide};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
@@ -95,7 +97,7 @@ impl<'a> Values<'a> {
                     side: tex(self.statement().terms(), side),
                     terms: self.terms(side),
                 });
-                found.push((given.label, sides));
+                found.push((given.origin.to_string(), sides));
             }
         }
         found
@@ -104,7 +106,10 @@ impl<'a> Values<'a> {
     /// The values of unknown functions that the claim and its premises speak of: function, order of the derivative, time.
     fn spoken(&mut self) -> BTreeSet<(Function, u32, Term)> {
         let own = self.statement();
-        let givens = own.givens().iter().filter(|given| !given.label.starts_with('['));
+        let givens = own
+            .givens()
+            .iter()
+            .filter(|given| !matches!(given.origin, Origin::Declared(_)));
         let goals = own.goal().iter().map(|(_, term)| *term);
         let written: Vec<Term> = givens.map(|given| given.term).chain(goals).collect();
         let mut spoken = BTreeSet::new();
@@ -123,7 +128,7 @@ impl<'a> Values<'a> {
                 .law
                 .as_ref()
                 .is_some_and(|law| law.flight.is_none() && law.time.is_some());
-            if given.property != Property::Zero || !is_law || given.label.starts_with('[') {
+            if given.property != Property::Zero || !is_law || matches!(given.origin, Origin::Declared(_)) {
                 continue;
             }
             let functions: BTreeSet<Function> = values_in(self.statement(), given.term)
@@ -142,7 +147,7 @@ impl<'a> Values<'a> {
             }
             values.dedup();
             found.push((
-                given.label,
+                given.origin.to_string(),
                 sides.map(|side| tex(self.statement().terms(), side)),
                 values,
             ));
@@ -166,7 +171,7 @@ impl<'a> Values<'a> {
                     let slope = self.statement().along(*equation, &step, by);
                     let partials = partials_in(self.statement(), slope);
                     if partials.iter().any(|symbol| sought.contains(symbol)) {
-                        found.push(self.derivation(label, slope, by, &partials));
+                        found.push(self.derivation(&label.to_string(), slope, by, &partials));
                     }
                 }
             }
@@ -245,7 +250,10 @@ pub fn point(witness: &With<Witness>) -> Vec<(String, String)> {
 fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
     let mut spoken: BTreeSet<Symbol> = BTreeSet::new();
     let own = values.statement();
-    let givens = own.givens().iter().filter(|given| !given.label.starts_with('['));
+    let givens = own
+        .givens()
+        .iter()
+        .filter(|given| !matches!(given.origin, Origin::Declared(_)));
     let goals = own.goal().iter().map(|(_, term)| *term);
     let written: Vec<Term> = givens.map(|given| given.term).chain(goals).collect();
     for &term in &written {

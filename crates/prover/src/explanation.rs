@@ -8,7 +8,7 @@ use super::{Decision, Options, decided};
 use crate::algebra::{coefficients_in, degree_in};
 use claims::Sheet;
 use kernel::{
-    Axiom, AxiomRow, Certificate, Checker, DERIVATIVES_EXIST, Fact, Inference, LawSource, Polynomial, Property,
+    Axiom, AxiomRow, Certificate, Checker, DERIVATIVES_EXIST, Fact, Inference, LawSource, Origin, Polynomial, Property,
     Statement, Term, With, Witness,
 };
 use numbers::{Field, Rational};
@@ -381,11 +381,11 @@ impl Proof {
 
     fn given(&self, number: usize) -> String {
         let given = self.statement.givens().get(number);
-        let label = given.map_or("", |given| given.label.as_str());
-        match label.contains([' ', '[']) {
-            true if label.starts_with(DERIVATIVES_EXIST) => condition(label),
-            true => label.to_string(),
-            false => format!("({label})"),
+        match given.map(|given| &given.origin) {
+            Some(Origin::Premise(label)) => format!("({label})"),
+            Some(origin @ Origin::DerivativesExist(_)) => condition(&origin.to_string()),
+            Some(origin) => origin.to_string(),
+            None => String::new(),
         }
     }
 
@@ -448,7 +448,7 @@ impl Proof {
             Inference::Along { map, equation, by } => {
                 let equations = self.statement.steps().get(*map).map(|step| &step.equations);
                 let label = equations.and_then(|equations| equations.get(*equation));
-                let label = label.map_or("the equation of a map", |(label, _)| label);
+                let label = label.map_or("the equation of a map".to_owned(), |(origin, _)| origin.to_string());
                 let by = self.statement.terms().symbol_name(*by);
                 format!(
                     "By ({label}) along the map, differentiated with respect to {}",

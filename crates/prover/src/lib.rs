@@ -810,14 +810,14 @@ fn without_points(statement: &kernel::Statement, effort: u64) -> Option<Outcome>
 
 /// The labels of givens that contradict each other, none of which can be left out.
 fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<Vec<String>> {
-    let contradicts = |kept: &[String]| {
-        let fewer = premises.with_givens(&|given| kept.contains(&given.label));
+    let contradicts = |kept: &[kernel::Origin]| {
+        let fewer = premises.with_givens(&|given| kept.contains(&given.origin));
         proof::contradiction(&fewer, budget).is_some_and(|found| kernel::contradicts(&found).is_ok())
     };
-    let mut kept: Vec<String> = Vec::new();
+    let mut kept: Vec<kernel::Origin> = Vec::new();
     for given in premises.givens() {
-        if !kept.contains(&given.label) {
-            kept.push(given.label.clone());
+        if !kept.contains(&given.origin) {
+            kept.push(given.origin.clone());
         }
     }
     if !contradicts(&kept) {
@@ -832,7 +832,7 @@ fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<V
             false => place += 1,
         }
     }
-    Some(kept)
+    Some(kept.iter().map(ToString::to_string).collect())
 }
 
 /// The certificates that the search finds for the questions of the claim at a position, each with its statement.

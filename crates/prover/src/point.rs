@@ -11,7 +11,7 @@ use super::session::Session;
 use super::values;
 use crate::algebra::{Steps, coefficients_in, degree_in, factors, primitive, rational_root, square_root};
 use kernel::{
-    CLAIM_DOMAIN, Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Polynomial, Property,
+    Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Origin, Polynomial, Property,
     Quantity, Statement, Symbol, Term, Terms, With, Witness,
 };
 use num_traits::Zero;
@@ -1522,7 +1522,7 @@ impl Search<'_> {
             .givens()
             .iter()
             .filter(|given| given.law.is_none() && given.property != Property::Zero)
-            .filter(|given| self.wanted != Wanted::PremisesAlone || given.label != CLAIM_DOMAIN)
+            .filter(|given| self.wanted != Wanted::PremisesAlone || given.origin != Origin::ClaimDomain)
             .map(|given| (given.property, given.term))
             .collect();
         let mut conditions: Vec<(Property, Term)> = givens

@@ -12,7 +12,7 @@ use super::{Options, decided, proof_in_words};
 use crate::checksum::Checksum;
 use claims::{Goal, Question, Sheet, Verdict};
 use kernel::{
-    AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Letter, Node, Polynomial,
+    AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Letter, Node, Origin, Polynomial,
     Property, Quantity, Statement, Summand, Symbol, Term, Terms, With, Witness, Word, WordMultiple, WordSource, Words,
 };
 use numbers::Rational;
@@ -481,7 +481,7 @@ fn statement_fields(statement: &Statement) -> Vec<String> {
     fields.push(field("goals", conditions(statement.goal())));
     let maps = statement.maps().iter().map(|map| {
         let equations = map.equations.iter();
-        let equations = equations.map(|(label, term)| list([quoted(label), term.0.to_string()]));
+        let equations = equations.map(|(label, term)| list([quoted(&named(label)), term.0.to_string()]));
         list([symbols(&map.of), symbols(&map.by), list(equations)])
     });
     fields.push(field("maps", list(maps)));
@@ -499,7 +499,7 @@ fn given(given: &Given) -> String {
         ])
     });
     list([
-        quoted(&given.label),
+        quoted(&named(&given.origin)),
         property(given.property),
         given.term.0.to_string(),
         law.unwrap_or_else(|| "[]".into()),
@@ -667,6 +667,15 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
         }
     };
     list(parts)
+}
+
+/// The name of a given in the data: what it comes from, where no label of a premise is taken for the words of others.
+fn named(origin: &Origin) -> String {
+    let others = ["the ", "derivatives exist", "[symbols]"];
+    match origin {
+        Origin::Premise(label) if others.iter().any(|words| label.starts_with(words)) => format!("premise {label}"),
+        origin => origin.to_string(),
+    }
 }
 
 /// The terms that a certificate speaks of.

@@ -2,8 +2,8 @@
 
 use super::forge::*;
 use vibro_audit::kernel::{
-    Certificate, Checker, Elementary, Evaluated, Function, Inference, LawSource, Node, Polynomial, Property, Quantity,
-    Statement, Symbol, Term, Terms, With, Witness, evaluate, prove, refute,
+    Certificate, Checker, Elementary, Evaluated, Function, Inference, LawSource, Node, Origin, Polynomial, Property,
+    Quantity, Statement, Symbol, Term, Terms, With, Witness, evaluate, prove, refute,
 };
 use vibro_audit::number::{Field, Rational};
 
@@ -912,7 +912,7 @@ fn what_is_assumed_of_a_claim_determines_no_map() {
         r"\frac{\partial x_{k+1}}{\partial x_k} = 0 | assume = ['x_{k+1} = 1 + t_{k+1} 0']",
     );
     for (label, _) in &statement.maps()[0].equations {
-        assert_ne!(label, "the assumptions");
+        assert_ne!(*label, Origin::Assumptions);
     }
 }
 

@@ -116,7 +116,7 @@ pub fn given(statement: &Statement, label: &str, is_law: bool) -> usize {
     let found = statement
         .givens()
         .iter()
-        .position(|given| given.label == label && given.law.is_some() == is_law);
+        .position(|given| given.origin.to_string() == label && given.law.is_some() == is_law);
     found.unwrap_or_else(|| panic!("{label}: {:#?}", statement.givens()))
 }
 

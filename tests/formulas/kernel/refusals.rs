@@ -5,7 +5,7 @@ use super::axioms::{given_and, power, stated};
 use super::forge::*;
 use super::rules::{FLIGHT, with_facts};
 use vibro_audit::kernel::{
-    At, Certificate, Checker, EFFORT, Elementary, Evaluated, Inference, LawSource, Node, Polynomial, Property,
+    At, Certificate, Checker, EFFORT, Elementary, Evaluated, Inference, LawSource, Node, Origin, Polynomial, Property,
     Quantity, Statement, Symbol, Term, With, Witness, evaluate, follows, prove,
 };
 use vibro_audit::number::{Field, Rational};
@@ -370,7 +370,11 @@ fn a_map_is_differentiated_by_what_it_starts_from_alone() {
     // what determines a map speaks of no derivatives, and of states before times
     let determining = |of: &str, premises: &[&str]| {
         let own = statement(&symbols.replace("['x_{k+1}']", of), premises, claim);
-        let labels: Vec<String> = own.maps()[0].equations.iter().map(|(label, _)| label.clone()).collect();
+        let labels: Vec<String> = own.maps()[0]
+            .equations
+            .iter()
+            .map(|(origin, _)| origin.to_string())
+            .collect();
         labels.join(" ")
     };
     let partial = r"x_{k+1} = \frac{\partial x_{k+1}}{\partial x_k} x_k";
@@ -462,12 +466,12 @@ fn what_is_declared_is_given_of_what_it_names() {
     let own = statement("parameters = ['x']", &[r"x \ge 0", r"x \neq 0"], "x > 0");
     let properties: Vec<Property> = own.givens().iter().map(|given| given.property).collect();
     assert_eq!(properties, [Property::NonNegative, Property::Nonzero]);
-    // no premise takes the name of what the kernel gives itself
+    // a premise is one, whatever its label
     let labels = ["the domain of the claim", "the assumptions", "[symbols] x"];
     for label in labels.into_iter().chain(["derivatives exist of x"]) {
         let text = sheet("parameters = ['x']", &["x = 1"], r"x \neq 0").replace("p0", label);
         let asked = read_sheet(&text).unwrap().remove(0);
-        assert_eq!(asked.statement.givens()[0].label, format!("premise {label}"));
+        assert_eq!(asked.statement.givens()[0].origin, Origin::Premise(label.to_owned()));
     }
     // a state is as complex as it is declared, whatever else is
     let symbols = "parameters = ['w', 'y']\nstates = ['z_n', 'x_n']\nindices = ['n']\ncomplex = ['z_n', 'w']";
