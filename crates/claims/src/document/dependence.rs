@@ -122,17 +122,21 @@ const BEFORE: [&str; 14] = [
 /// The letters right behind signs of a difference, derivative or differential, but for that of an integral: `\mathrm{d}x`.
 fn differences(tex: &str) -> Vec<String> {
     let shown = unspaced(tex);
+    let has_integrals = shown.contains(r"\int");
     let mut found = Vec::new();
     for sign in BEFORE {
+        if sign == r"\mathrm{d}" && has_integrals {
+            continue;
+        }
         for (at, _) in shown.match_indices(sign) {
-            if sign == r"\mathrm{d}" && shown.contains(r"\int") {
-                continue;
-            }
             let behind = shown.get(at + sign.len()..).unwrap_or_default();
-            let behind = match behind.split_once('}').filter(|_| sign.ends_with('_')) {
-                Some((_, behind)) if behind.starts_with('{') => behind,
-                _ if sign.ends_with('_') => behind.get(1..).unwrap_or_default(),
-                _ => behind,
+            let behind = match behind.strip_prefix('{').filter(|_| sign.ends_with('_')) {
+                Some(group) => {
+                    let close = group.char_indices().take(LONGEST).find(|(_, c)| *c == '}');
+                    close.map_or("", |(close, _)| group.get(close + 1..).unwrap_or_default())
+                }
+                None if sign.ends_with('_') => behind.get(1..).unwrap_or_default(),
+                None => behind,
             };
             let behind = behind.trim_start_matches(|c: char| "^{}".contains(c) || c.is_ascii_digit());
             let is_command = behind.starts_with('\\');
@@ -306,6 +310,9 @@ const BY_TIME: [&str; 6] = [
     r"\dv*{t}",
 ];
 
+/// The most letters with dots that are looked at.
+const MOST_DOTS: usize = 2_000;
+
 /// The most bytes of a letter with dots and a subscript.
 const LONGEST: usize = 40;
 
@@ -324,9 +331,12 @@ pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> 
         opaque: Some(Opaque::default()),
         ..Names::default()
     };
+    let mut left = MOST_DOTS;
     for tex in formulas.clone() {
         let tex = with_commands(tex);
-        for (at, _) in [r"\dot", r"\ddot"].iter().flat_map(|sign| tex.match_indices(sign)) {
+        let all = [r"\dot", r"\ddot"].iter().flat_map(|sign| tex.match_indices(sign));
+        for (at, _) in all.take(left) {
+            left = left.saturating_sub(1);
             let behind = tex.get(at..).unwrap_or_default();
             let ends = behind.char_indices().map(|(end, c)| end + c.len_utf8()).take(LONGEST);
             let names = ends.filter_map(|end| read_name(behind.get(..end)?, &bold).ok());
@@ -342,11 +352,14 @@ pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> 
         }
     }
     // `\mathbf{v}` and its length v cannot both be functions
-    let shown: Vec<String> = formulas.map(bare).collect();
-    let is_bold = |name: &Name| {
-        BOLD.iter()
-            .any(|bold| shown.iter().any(|text| text.contains(&format!("{bold}{}", name.base))))
-    };
-    found.retain(|name| !is_bold(name));
+    let in_bold: BTreeSet<String> = formulas
+        .flat_map(|tex| {
+            let shown = bare(&unspaced(tex));
+            let all = BOLD.iter().flat_map(|bold| shown.match_indices(bold));
+            let behind = all.filter_map(|(at, bold)| letters_at(shown.get(at + bold.len()..)?));
+            behind.collect::<Vec<_>>()
+        })
+        .collect();
+    found.retain(|name: &Name| !in_bold.contains(&name.base));
     found
 }

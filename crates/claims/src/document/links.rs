@@ -84,6 +84,9 @@ struct Part {
     is_beside: bool,
 }
 
+/// The most equations that stand side by side.
+const MOST_BESIDE: usize = 20;
+
 /// Letters that are variables by convention: an equation that gives one says where the other holds.
 const VARIABLES: [&str; 9] = ["t", "x", "y", "z", "r", "s", r"\theta", r"\phi", r"\varphi"];
 
@@ -109,7 +112,7 @@ fn side_by_side(tex: &str) -> Vec<Range<usize>> {
             Outside::Comma(at) => commas.push(at),
         }
     }
-    if relations == 0 {
+    if relations == 0 || pieces.len() >= MOST_BESIDE {
         return Vec::new();
     }
     pieces.push(start..tex.len());
