@@ -264,13 +264,7 @@ impl<'a> Checker<'a> {
             Inference::Law { source, at } => self.law(*source, *at),
             Inference::Axiom(axiom) => self.axiom(axiom),
             Inference::Unfold(term) => self.unfold(*term),
-            Inference::Enclosure(polynomial) => match self.statement.sign_of(polynomial) {
-                Some(1) => {
-                    self.add(Property::Positive, polynomial.clone());
-                    Ok(())
-                }
-                _ => refused("no enclosure shows that this is positive"),
-            },
+            Inference::Enclosure(polynomial) => self.enclosed(polynomial),
             Inference::Zero {
                 target,
                 power,
@@ -283,14 +277,7 @@ impl<'a> Checker<'a> {
                 cofactor,
                 factors,
                 terms,
-            } => {
-                let left = self.expansion.times(cofactor, target)?;
-                let product = self.product(factors, &[Property::Nonzero, Property::Positive])?;
-                let right = product.plus(&self.combination(terms)?);
-                self.identical(&left, &right)?;
-                self.add(Property::Nonzero, target.clone());
-                Ok(())
-            }
+            } => self.nonzero(target, cofactor, factors, terms),
             Inference::Sign {
                 target,
                 strict,
@@ -298,13 +285,7 @@ impl<'a> Checker<'a> {
                 summands,
                 terms,
             } => self.sign(target, *strict, factors, summands, terms),
-            Inference::Squeezed { low, high } => {
-                let sign = [Property::NonNegative, Property::Positive];
-                let (low, high) = (self.fact(*low, &sign)?, self.fact(*high, &sign)?);
-                self.identical(&low, &high.negated())?;
-                self.add(Property::Zero, low);
-                Ok(())
-            }
+            Inference::Squeezed { low, high } => self.squeezed(*low, *high),
             Inference::Congruence { left, right } => self.congruence(*left, *right),
             Inference::Cases {
                 on,
@@ -313,29 +294,7 @@ impl<'a> Checker<'a> {
                 target,
                 branches,
             } => self.cases(on, *order, *property, target, branches),
-            Inference::Derivative(source) => {
-                let mut law = self.derived(*source)?;
-                let time = law.time;
-                let mut terms = vec![law.term];
-                terms.extend(law.conditions.iter().map(|(_, of)| *of));
-                let moves = |_: &Statement, symbol| symbol == time;
-                if !terms
-                    .iter()
-                    .all(|&of| self.statement.is_differentiable(of, &|symbol| symbol == time))
-                {
-                    return refused("a branch of a complex function is differentiated");
-                }
-                law.domain.extend(self.statement.domain(law.term));
-                // where a law holds at single times only, its derivative says nothing
-                let conditions: Vec<(Property, Term)> = law.conditions.iter().chain(&law.domain).copied().collect();
-                let Some(near) = self.statement.holding_near(&conditions, &terms, &moves) else {
-                    return refused("the law does not hold on an open set");
-                };
-                law.domain.extend(near);
-                let term = self.statement.derivative(law.term, time);
-                self.laws.push(Derived { term, ..law });
-                Ok(())
-            }
+            Inference::Derivative(source) => self.derivative(*source),
             Inference::Constant {
                 of,
                 time,
@@ -343,64 +302,127 @@ impl<'a> Checker<'a> {
                 flight,
                 steps,
             } => self.constant(*of, *time, *at, *flight, steps),
-            Inference::Generic(term) => {
-                let vanishing = self
-                    .statement
-                    .givens
-                    .iter()
-                    .filter(|given| given.property == Property::Zero);
-                let vanishing: Vec<Term> = vanishing.map(|given| given.term).collect();
-                let said: Vec<Term> = vanishing
-                    .into_iter()
-                    .map(|term| self.statement.written_out(term))
-                    .collect();
-                let statement = &self.statement;
-                let in_generic = |inner: Term| match statement.terms.node(inner) {
-                    Node::Symbol(symbol) => statement.generic.contains(symbol),
-                    Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) => true,
-                    _ => false,
-                };
-                let is_generic = |term: Term| statement.terms.inside(term).into_iter().all(in_generic);
-                // what premises say of generic symbols alone would have parts, of which one may not be left out
-                if !is_generic(*term) || said.into_iter().any(is_generic) {
-                    return refused("no polynomial in generic symbols that are free");
-                }
-                self.excluded.push(*term);
-                self.conclude(Property::Nonzero, *term)
+            Inference::Generic(term) => self.generic(*term),
+            Inference::Along { map, equation, by } => self.along(*map, *equation, *by),
+        }
+    }
+
+    /// The law that follows by differentiating a law with respect to its time.
+    fn derivative(&mut self, source: LawSource) -> Outcome<()> {
+        let mut law = self.derived(source)?;
+        let time = law.time;
+        let mut terms = vec![law.term];
+        terms.extend(law.conditions.iter().map(|(_, of)| *of));
+        let moves = |_: &Statement, symbol| symbol == time;
+        if !terms
+            .iter()
+            .all(|&of| self.statement.is_differentiable(of, &|symbol| symbol == time))
+        {
+            return refused("a branch of a complex function is differentiated");
+        }
+        law.domain.extend(self.statement.domain(law.term));
+        // where a law holds at single times only, its derivative says nothing
+        let conditions: Vec<(Property, Term)> = law.conditions.iter().chain(&law.domain).copied().collect();
+        let Some(near) = self.statement.holding_near(&conditions, &terms, &moves) else {
+            return refused("the law does not hold on an open set");
+        };
+        law.domain.extend(near);
+        let term = self.statement.derivative(law.term, time);
+        self.laws.push(Derived { term, ..law });
+        Ok(())
+    }
+
+    /// A term in generic symbols alone is not 0.
+    fn generic(&mut self, term: Term) -> Outcome<()> {
+        let vanishing = self
+            .statement
+            .givens
+            .iter()
+            .filter(|given| given.property == Property::Zero);
+        let vanishing: Vec<Term> = vanishing.map(|given| given.term).collect();
+        let said: Vec<Term> = vanishing
+            .into_iter()
+            .map(|term| self.statement.written_out(term))
+            .collect();
+        let statement = &self.statement;
+        let in_generic = |inner: Term| match statement.terms.node(inner) {
+            Node::Symbol(symbol) => statement.generic.contains(symbol),
+            Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) => true,
+            _ => false,
+        };
+        let is_generic = |term: Term| statement.terms.inside(term).into_iter().all(in_generic);
+        // what premises say of generic symbols alone would have parts, of which one may not be left out
+        if !is_generic(term) || said.into_iter().any(is_generic) {
+            return refused("no polynomial in generic symbols that are free");
+        }
+        self.excluded.push(term);
+        self.conclude(Property::Nonzero, term)
+    }
+
+    /// An equation of a map, differentiated along it.
+    fn along(&mut self, map: usize, equation: usize, by: Symbol) -> Outcome<()> {
+        let step = self.statement.steps.get(map).cloned();
+        let Some((step, (_, term))) = step.and_then(|step| Some((step.clone(), step.equations.get(equation)?.clone())))
+        else {
+            return refused("there is no such map or equation");
+        };
+        if !step.by.contains(&by) {
+            return refused("a map is differentiated by what it starts from");
+        }
+        let written = self.statement.written_out(term);
+        if !self.statement.is_smooth_along(written) {
+            return refused("an equation of a map is not differentiated");
+        }
+        let by_term = self.statement.terms.symbol(by);
+        if self.assumed.contains(&(Property::Integer, by_term)) {
+            return refused("a map is differentiated by an integer");
+        }
+        let slope = self.statement.along(term, &step, by);
+        self.defined(&[term, slope])?;
+        // where the equation has a value at single points only, its derivative says nothing
+        let domain = self.statement.domain(written);
+        let Some(near) = self
+            .statement
+            .holding_near(&domain, &[written], &Statement::moves_along)
+        else {
+            return refused("an equation of a map does not hold on an open set");
+        };
+        for (property, of) in near {
+            self.need(property, of)?;
+        }
+        self.conclude(Property::Zero, slope)
+    }
+
+    fn nonzero(
+        &mut self,
+        target: &Polynomial,
+        cofactor: &Polynomial,
+        factors: &[(usize, u32)],
+        terms: &[(Polynomial, usize)],
+    ) -> Outcome<()> {
+        let left = self.expansion.times(cofactor, target)?;
+        let product = self.product(factors, &[Property::Nonzero, Property::Positive])?;
+        let right = product.plus(&self.combination(terms)?);
+        self.identical(&left, &right)?;
+        self.add(Property::Nonzero, target.clone());
+        Ok(())
+    }
+
+    fn squeezed(&mut self, low: usize, high: usize) -> Outcome<()> {
+        let sign = [Property::NonNegative, Property::Positive];
+        let (low, high) = (self.fact(low, &sign)?, self.fact(high, &sign)?);
+        self.identical(&low, &high.negated())?;
+        self.add(Property::Zero, low);
+        Ok(())
+    }
+
+    fn enclosed(&mut self, polynomial: &Polynomial) -> Outcome<()> {
+        match self.statement.sign_of(polynomial) {
+            Some(1) => {
+                self.add(Property::Positive, polynomial.clone());
+                Ok(())
             }
-            Inference::Along { map, equation, by } => {
-                let step = self.statement.steps.get(*map).cloned();
-                let Some((step, (_, term))) =
-                    step.and_then(|step| Some((step.clone(), step.equations.get(*equation)?.clone())))
-                else {
-                    return refused("there is no such map or equation");
-                };
-                if !step.by.contains(by) {
-                    return refused("a map is differentiated by what it starts from");
-                }
-                let written = self.statement.written_out(term);
-                if !self.statement.is_smooth_along(written) {
-                    return refused("an equation of a map is not differentiated");
-                }
-                let by_term = self.statement.terms.symbol(*by);
-                if self.assumed.contains(&(Property::Integer, by_term)) {
-                    return refused("a map is differentiated by an integer");
-                }
-                let slope = self.statement.along(term, &step, *by);
-                self.defined(&[term, slope])?;
-                // where the equation has a value at single points only, its derivative says nothing
-                let domain = self.statement.domain(written);
-                let Some(near) = self
-                    .statement
-                    .holding_near(&domain, &[written], &Statement::moves_along)
-                else {
-                    return refused("an equation of a map does not hold on an open set");
-                };
-                for (property, of) in near {
-                    self.need(property, of)?;
-                }
-                self.conclude(Property::Zero, slope)
-            }
+            _ => refused("no enclosure shows that this is positive"),
         }
     }
 
@@ -667,8 +689,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn constant(&mut self, of: Term, time: Symbol, at: Term, flight: Option<i32>, steps: &[Inference]) -> Outcome<()> {
-        // the symbol runs: nothing may be known of it
+    /// The symbol runs: nothing may be known of it.
+    fn runs_freely(&mut self, time: Symbol) -> Outcome<()> {
         if !matches!(
             self.statement.quantity(time),
             Some(super::statement::Quantity::Fresh(_))
@@ -696,6 +718,11 @@ impl<'a> Checker<'a> {
                 return refused("something is given of the time of a law");
             }
         }
+        Ok(())
+    }
+
+    fn constant(&mut self, of: Term, time: Symbol, at: Term, flight: Option<i32>, steps: &[Inference]) -> Outcome<()> {
+        self.runs_freely(time)?;
         if let Some(flight) = flight {
             self.within(at, flight)?;
             if self.statement.terms.node(at) == &Node::Symbol(time) {

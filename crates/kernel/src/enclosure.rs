@@ -143,6 +143,50 @@ fn times<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
     }
 }
 
+fn complex_quotient<E: Endpoint>(above: Complex<E>, below: Complex<E>) -> Option<Complex<E>> {
+    Some(match below.1 {
+        None => {
+            (!below.0.contains_zero()).then_some(())?;
+            (above.0 / below.0.clone(), above.1.map(|part| part / below.0))
+        }
+        Some(y) => {
+            let size = below.0.to_power(2) + y.to_power(2);
+            (!size.contains_zero()).then_some(())?;
+            let above = times(&above, &(below.0, Some(-y)));
+            (above.0 / size.clone(), above.1.map(|part| part / size))
+        }
+    })
+}
+
+/// The principal value of an elementary function.
+fn complex_elementary<E: Endpoint>(function: Elementary, at: &Complex<E>) -> Option<Complex<E>> {
+    Some(match (function, &at.1) {
+        (Elementary::Exp, _) => complex_exp(at),
+        (Elementary::Ln, _) => complex_ln(at)?,
+        (Elementary::Root(index), Some(_)) => complex_root(at, index)?,
+        (Elementary::Root(index), None) if !at.0.is_positive() => complex_root(at, index)?,
+        (Elementary::Sin | Elementary::Cos, Some(y)) => {
+            let (sine, cosine) = at.0.sincos();
+            let (above, below) = (exp(y), exp(&-y.clone()));
+            let two = Interval::from_integer(2);
+            let wide = (above.clone() + below.clone()) / two.clone();
+            let odd = (above - below) / two;
+            match function {
+                Elementary::Sin => (sine * wide, Some(cosine * odd)),
+                _ => (cosine * wide, Some(-(sine * odd))),
+            }
+        }
+        (Elementary::Arcsin | Elementary::Arccos, None) => {
+            let inside = |part: Interval<E>| part.is_positive().then_some(());
+            inside(Interval::one() - at.0.clone())?;
+            inside(Interval::one() + at.0.clone())?;
+            (elementary(function, &at.0)?, None)
+        }
+        (_, None) => (elementary(function, &at.0)?, None),
+        _ => return None,
+    })
+}
+
 /// An enclosure of a term that holds no symbol and no unknown function, over complex numbers.
 fn complex_value<E: Endpoint>(terms: &Terms, term: Term, known: &mut HashMap<Term, Complex<E>>) -> Option<Complex<E>> {
     for inner in terms.inside(term) {
@@ -170,50 +214,9 @@ fn complex_value<E: Endpoint>(terms: &Terms, term: Term, known: &mut HashMap<Ter
                 (0..=1000).contains(exponent).then_some(())?;
                 (0..*exponent).fold(one(), |power, _| times(&power, &base))
             }
-            Node::Quotient(above, below) => {
-                let (above, below) = (of(above)?, of(below)?);
-                match below.1 {
-                    None => {
-                        (!below.0.contains_zero()).then_some(())?;
-                        (above.0 / below.0.clone(), above.1.map(|part| part / below.0))
-                    }
-                    Some(y) => {
-                        let size = below.0.to_power(2) + y.to_power(2);
-                        (!size.contains_zero()).then_some(())?;
-                        let above = times(&above, &(below.0, Some(-y)));
-                        (above.0 / size.clone(), above.1.map(|part| part / size))
-                    }
-                }
-            }
+            Node::Quotient(above, below) => complex_quotient(of(above)?, of(below)?)?,
             Node::RealPower(base, exponent) => complex_exp(&times(&of(exponent)?, &complex_ln(&of(base)?)?)),
-            Node::Elementary(function, of_term) => {
-                let at = of(of_term)?;
-                match (function, &at.1) {
-                    (Elementary::Exp, _) => complex_exp(&at),
-                    (Elementary::Ln, _) => complex_ln(&at)?,
-                    (Elementary::Root(index), Some(_)) => complex_root(&at, *index)?,
-                    (Elementary::Root(index), None) if !at.0.is_positive() => complex_root(&at, *index)?,
-                    (Elementary::Sin | Elementary::Cos, Some(y)) => {
-                        let (sine, cosine) = at.0.sincos();
-                        let (above, below) = (exp(y), exp(&-y.clone()));
-                        let two = Interval::from_integer(2);
-                        let wide = (above.clone() + below.clone()) / two.clone();
-                        let odd = (above - below) / two;
-                        match function {
-                            Elementary::Sin => (sine * wide, Some(cosine * odd)),
-                            _ => (cosine * wide, Some(-(sine * odd))),
-                        }
-                    }
-                    (Elementary::Arcsin | Elementary::Arccos, None) => {
-                        let inside = |part: Interval<E>| part.is_positive().then_some(());
-                        inside(Interval::one() - at.0.clone())?;
-                        inside(Interval::one() + at.0.clone())?;
-                        (elementary(*function, &at.0)?, None)
-                    }
-                    (_, None) => (elementary(*function, &at.0)?, None),
-                    _ => return None,
-                }
-            }
+            Node::Elementary(function, of_term) => complex_elementary(*function, &of(of_term)?)?,
             Node::Symbol(_) | Node::Value(..) => return None,
         };
         let finite = value.0.is_finite() && value.1.as_ref().is_none_or(Interval::is_finite);

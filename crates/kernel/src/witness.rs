@@ -134,6 +134,13 @@ impl<'a> At<'a> {
                 return refused("a value holds an abbreviation");
             }
         }
+        self.check_sample()?;
+        self.check_moving()?;
+        self.check_real()
+    }
+
+    /// The values of the sample are numbers, real ones of real symbols.
+    fn check_sample(&self) -> Outcome<()> {
         for (symbol, value) in &self.witness.sample {
             if !self.statement.terms.is_closed(*value) || self.solved.contains_key(symbol) {
                 return refused("a value of the sample holds symbols, or is given twice");
@@ -152,6 +159,11 @@ impl<'a> At<'a> {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// No value depends on the running time, or on what is no symbol.
+    fn check_moving(&self) -> Outcome<()> {
         let table = self.witness.table.iter().map(|(.., value)| *value);
         let named = self.witness.functions.iter().map(|(.., term)| *term);
         for value in self
@@ -170,6 +182,11 @@ impl<'a> At<'a> {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// Functions and real symbols have real values, and no solved one holds another.
+    fn check_real(&self) -> Outcome<()> {
         let imaginary = |term: &Term| *self.statement.terms.node(*term) == Node::Imaginary;
         for (.., time, value) in &self.witness.table {
             if [time, value]
@@ -1264,6 +1281,12 @@ impl<'a> At<'a> {
                 }
             }
         }
+        self.check_periods()?;
+        self.check_table_apart()
+    }
+
+    /// What binds functions with single values are periods, one for each of them.
+    fn check_periods(&mut self) -> Outcome<()> {
         let mut laws: Vec<(Function, Term)> = Vec::new();
         for given in self.statement.givens.clone() {
             let Some(Law {
@@ -1320,6 +1343,11 @@ impl<'a> At<'a> {
                 of = self.statement.derivatives.get(&function).copied();
             }
         }
+        Ok(())
+    }
+
+    /// The times of single values are different, also from the ends of flights, where the values are states.
+    fn check_table_apart(&mut self) -> Outcome<()> {
         let table = &self.witness.table;
         for (n, (f, order, a, _)) in table.iter().enumerate() {
             for (g, other, b, _) in table.iter().skip(n + 1) {
