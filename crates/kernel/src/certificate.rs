@@ -100,3 +100,59 @@ pub enum Inference {
     /// The premises that determine a map, differentiated along it: the number of the map, of the premise, and by what.
     Along { map: usize, equation: usize, by: Symbol },
 }
+
+impl Inference {
+    /// The polynomials that it speaks of, without those of steps within it.
+    pub fn polynomials(&self) -> Vec<&Polynomial> {
+        fn coefficients(terms: &[(Polynomial, usize)]) -> impl Iterator<Item = &Polynomial> {
+            terms.iter().map(|(coefficient, _)| coefficient)
+        }
+        match self {
+            Self::Enclosure(polynomial) => vec![polynomial],
+            Self::Zero {
+                target, squares, terms, ..
+            } => {
+                let roots = squares.iter().map(|(_, root)| root);
+                roots.chain(coefficients(terms)).chain([target]).collect()
+            }
+            Self::Nonzero {
+                target,
+                cofactor,
+                terms,
+                ..
+            } => coefficients(terms).chain([target, cofactor]).collect(),
+            Self::Sign {
+                target,
+                summands,
+                terms,
+                ..
+            } => {
+                let roots = summands.iter().map(|summand| &summand.root);
+                roots.chain(coefficients(terms)).chain([target]).collect()
+            }
+            Self::Cases { on, target, .. } => vec![on, target],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The terms that it names, without those of polynomials and of steps within it.
+    pub fn terms(&self) -> Vec<Term> {
+        match self {
+            Self::Law { at, .. } => at.iter().copied().collect(),
+            Self::Axiom(axiom) => axiom.terms.clone(),
+            Self::Unfold(term) | Self::Generic(term) => vec![*term],
+            Self::Congruence { left, right } => vec![*left, *right],
+            Self::Constant { of, at, .. } => vec![*of, *at],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The steps within it.
+    pub fn within(&self) -> Vec<&Self> {
+        match self {
+            Self::Cases { branches, .. } => branches.iter().flatten().collect(),
+            Self::Constant { steps, .. } => steps.iter().collect(),
+            _ => Vec::new(),
+        }
+    }
+}

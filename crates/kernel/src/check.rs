@@ -256,6 +256,11 @@ impl<'a> Checker<'a> {
     }
 
     fn step(&mut self, step: &Inference) -> Outcome<()> {
+        let count = self.statement.terms.len();
+        let is_term = |term: &Term| (term.0 as usize) < count;
+        if !step.terms().iter().all(is_term) || !step.polynomials().iter().all(|own| own.is_proper(count)) {
+            return refused("a term that is none, or a monomial out of order");
+        }
         match step {
             Inference::Given(number) => match self.statement.givens.get(*number).cloned() {
                 Some(given) if given.law.is_none() => self.conclude(given.property, given.term),
@@ -760,6 +765,7 @@ impl<'a> Checker<'a> {
 
     /// A whole term, or the symbol of an abbreviation, is what it stands for.
     fn unfold(&mut self, term: Term) -> Outcome<()> {
+        self.defined(&[term])?;
         if let Node::Symbol(symbol) = self.statement.terms.node(term) {
             let Some(&meaning) = self.statement.definitions.get(symbol) else {
                 return refused("the symbol is no abbreviation");
@@ -767,7 +773,6 @@ impl<'a> Checker<'a> {
             let difference = self.statement.terms.difference(term, meaning);
             return self.conclude(Property::Zero, difference);
         }
-        self.defined(&[term])?;
         let meaning = self.expansion.unfolded(&self.statement.terms, term)?;
         let mut product = Polynomial::generator(term);
         for (divisor, power) in &meaning.divisors {

@@ -46,6 +46,14 @@ impl Polynomial {
         Self::from_list(list)
     }
 
+    /// Returns true if each monomial holds terms of a store with this many, each once and in order, to powers above 0.
+    pub fn is_proper(&self, terms: usize) -> bool {
+        let is_ordered = |monomial: &Monomial| monomial.windows(2).all(|pair| pair[0].0 < pair[1].0);
+        let is_power = |(term, power): &(Term, u32)| (term.0 as usize) < terms && *power > 0;
+        let mut monomials = self.0.iter().map(|(monomial, _)| monomial);
+        monomials.all(|monomial| is_ordered(monomial) && monomial.iter().all(is_power))
+    }
+
     fn from_list(mut list: Vec<(Monomial, RBig)>) -> Self {
         list.retain(|(_, coefficient)| !coefficient.is_zero());
         Self(list)

@@ -128,7 +128,8 @@ pub fn evaluate(statement: &Statement, witness: &With<Witness>) -> Result<Evalua
 /// A [`Refusal`] that says which step or goal is not shown.
 pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &Point) -> Result<Proved, Refusal> {
     same(statement, certificate)?;
-    if point.witness.statement.identity != statement.identity {
+    let is_same = point.witness.statement.identity == statement.identity;
+    if !(is_same && point.witness.statement.extends(statement)) {
         return Err(Refusal::Other("this is a point of another statement".into()));
     }
     let excluded = excluded(certificate)?;

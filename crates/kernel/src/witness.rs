@@ -26,6 +26,16 @@ pub struct Witness {
     pub certificate: Certificate,
 }
 
+impl Witness {
+    /// The terms that it gives values by.
+    fn terms(&self) -> impl Iterator<Item = Term> {
+        let values = self.solved.iter().chain(&self.sample).map(|(_, value)| *value);
+        let named = self.functions.iter().map(|(.., term)| *term);
+        let tabled = self.table.iter().flat_map(|(_, _, time, value)| [*time, *value]);
+        values.chain(named).chain(tabled)
+    }
+}
+
 type Outcome<T> = Result<T, Refusal>;
 
 /// How often values are put into values before these are taken to go in a circle.
@@ -81,6 +91,10 @@ impl<'a> At<'a> {
             .any(|quantity| matches!(quantity, Quantity::Absolute { .. }))
         {
             return refused("recursions are not followed to an index that is a number");
+        }
+        let count = at.statement.terms.len();
+        if witness.terms().any(|term| term.0 as usize >= count) {
+            return refused("a value is no term");
         }
         at.check_values()?;
         at.check_functions()?;

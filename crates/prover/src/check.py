@@ -36,6 +36,8 @@ AXIOMS = {
     )
 }
 SMALL = mpmath.mpf(10) ** -45
+# how near two values of one number are, as a share of it
+NEAR = mpmath.mpf(10) ** -12
 
 
 class Refused(Exception):
@@ -55,7 +57,8 @@ def read_polynomial(data):
     for coefficient, flat in data:
         monomial = tuple(zip(flat[::2], flat[1::2]))
         require(list(monomial) == sorted(set(monomial)) and len(dict(monomial)) == len(monomial), "a monomial out of order")
-        require(all(power > 0 for _, power in monomial), "an exponent that is not positive")
+        require(all(type(n) is int for pair in monomial for n in pair), "a term or an exponent that is no integer")
+        require(all(term >= 0 and power > 0 for term, power in monomial), "an exponent that is not positive")
         polynomial[monomial] = polynomial.get(monomial, 0) + Fraction(coefficient)
     return {monomial: value for monomial, value in polynomial.items() if value}
 
@@ -212,7 +215,7 @@ class Statement:
                 node = (kind, tuple(node[1]))
             require(kind != "root" or node[1] >= 2, "a root of an index below 2")
             number, before = self.add(tuple(node)), len(self.nodes)
-            require(number == before - 1 and all(part < number for part in parts(self.nodes[number])), "terms out of order")
+            require(number == before - 1 and all(type(part) is int and 0 <= part < number for part in parts(self.nodes[number])), "terms out of order")
 
     def copy(self, more):
         """A statement of its own with more terms."""
@@ -530,6 +533,8 @@ class Statement:
                 result = root(of[0], node[1], self.complex)
             else:
                 result = {"sin": mpmath.sin, "cos": mpmath.cos, "exp": mpmath.exp, "ln": mpmath.ln, "arcsin": mpmath.asin, "arccos": mpmath.acos, "arctan": mpmath.atan}[kind](of[0])
+            # outside of its domain a real function has no value
+            require(self.complex or not isinstance(result, mpmath.mpc) or result.imag == 0, "a number that is not real")
             done[inner] = result
         return done[term]
 
@@ -557,14 +562,14 @@ class Statement:
         if exact is not None:
             return (exact > 0) - (exact < 0) or None
         found = self.value_of(polynomial)
-        if found is None:
+        if found is None or abs(found[0]) <= SMALL * found[1]:
             return None
-        total, size = found
-        if isinstance(total, mpmath.mpc):
-            if abs(total.imag) > SMALL * size:
-                return None
-            total = total.real
-        return None if abs(total) <= SMALL * size else 1 if total > 0 else -1
+        # rounding within terms shows with more digits
+        with mpmath.workdps(3 * mpmath.mp.dps):
+            more = self.value_of(polynomial)
+        if more is None or abs(more[0] - found[0]) > NEAR * abs(more[0]) or abs(mpmath.im(more[0])) > NEAR * abs(more[0]):
+            return None
+        return 1 if mpmath.re(more[0]) > 0 else -1
 
 
 def root(of, index, complex_):

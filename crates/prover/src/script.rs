@@ -687,56 +687,9 @@ fn roots_of(certificate: &Certificate, roots: &mut Vec<Term>) {
 }
 
 fn roots_of_step(step: &Inference, roots: &mut Vec<Term>) {
-    let mut inside = |polynomial: &Polynomial| roots.extend(polynomial.generators());
-    match step {
-        Inference::Given(_) | Inference::Squeezed { .. } | Inference::Derivative(_) | Inference::Along { .. } => {}
-        Inference::Law { at, .. } => roots.extend(at),
-        Inference::Enclosure(polynomial) => inside(polynomial),
-        Inference::Axiom(axiom) => roots.extend(&axiom.terms),
-        Inference::Unfold(term) => roots.push(*term),
-        Inference::Zero {
-            target, squares, terms, ..
-        } => {
-            inside(target);
-            squares.iter().for_each(|(_, root)| inside(root));
-            terms.iter().for_each(|(coefficient, _)| inside(coefficient));
-        }
-        Inference::Nonzero {
-            target,
-            cofactor,
-            terms,
-            ..
-        } => {
-            inside(target);
-            inside(cofactor);
-            terms.iter().for_each(|(coefficient, _)| inside(coefficient));
-        }
-        Inference::Sign {
-            target,
-            summands,
-            terms,
-            ..
-        } => {
-            inside(target);
-            summands.iter().for_each(|summand| inside(&summand.root));
-            terms.iter().for_each(|(coefficient, _)| inside(coefficient));
-        }
-        Inference::Congruence { left, right } => roots.extend([left, right]),
-        Inference::Generic(term) => roots.push(*term),
-        Inference::Cases {
-            on, target, branches, ..
-        } => {
-            inside(on);
-            inside(target);
-            for step in branches.iter().flatten() {
-                roots_of_step(step, roots);
-            }
-        }
-        Inference::Constant { of, at, steps, .. } => {
-            roots.extend([of, at]);
-            for step in steps {
-                roots_of_step(step, roots);
-            }
-        }
+    roots.extend(step.terms());
+    roots.extend(step.polynomials().into_iter().flat_map(Polynomial::generators));
+    for inner in step.within() {
+        roots_of_step(inner, roots);
     }
 }

@@ -2,8 +2,8 @@
 
 use super::forge::*;
 use vibro_audit::kernel::{
-    Certificate, Checker, Elementary, Evaluated, Function, Inference, LawSource, Node, Origin, Polynomial, Property,
-    Quantity, Statement, Symbol, Term, Terms, With, Witness, evaluate, prove, refute,
+    Certificate, Checker, Draft, Elementary, Evaluated, Function, Inference, LawSource, Node, Origin, Polynomial,
+    Property, Quantity, Statement, Symbol, Term, Terms, With, Witness, evaluate, prove, refute,
 };
 use vibro_audit::number::{Field, Rational};
 
@@ -1025,4 +1025,80 @@ fn what_is_declared_of_states_and_times_is_given() {
         ..Witness::default()
     });
     assert!(outcome.is_err());
+}
+
+#[test]
+fn a_step_speaks_of_terms_that_are_there_and_of_monomials_in_order() {
+    let own = statement("parameters = ['x']", &[], "x = x");
+    for beyond in [Term(u32::MAX), Term(own.terms().len() as u32)] {
+        assert!(accepts(&own, |_| vec![axiom("Pythagoras", &[beyond])]).is_err());
+        assert!(accepts(&own, |_| vec![axiom("CosineOfNegative", &[beyond, beyond])]).is_err());
+        let beside = generator(beyond);
+        assert!(accepts(&own, |_| vec![Inference::Enclosure(beside)]).is_err());
+    }
+    // t t, written with a repeat, and t to the power 0, which are no monomials
+    for monomial in [vec![1, 1], vec![0]] {
+        let outcome = accepts(&own, |own| {
+            let (one, x) = (integer(own, 1), of(own, "x"));
+            let cosine = own.terms_mut().elementary(Elementary::Cos, one);
+            assert_ne!(cosine, x);
+            let monomial = monomial.iter().map(|power| (cosine, *power)).collect();
+            vec![Inference::Enclosure(Polynomial::from_terms([(
+                monomial,
+                Rational::from_integer(1).0,
+            )]))]
+        });
+        assert!(outcome.is_err());
+    }
+    // a witness gives no value by a term that is none
+    let outcome = refutes(&statement("parameters = ['x']", &[], "x = 1"), |own| Witness {
+        sample: vec![(symbol(own, "x"), Term(u32::MAX))],
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_point_is_one_of_the_terms_that_the_statement_has() {
+    let [own, other] = ["x = 1", "x = 2"].map(|premise| statement("parameters = ['x']", &[premise], "x = x"));
+    let point = |own: &Statement, value: i64| {
+        let mut extended = own.clone();
+        let evidence = Witness {
+            sample: sample(&mut extended, &[("x", value)]),
+            ..Witness::default()
+        };
+        match evaluate(
+            own,
+            &With {
+                statement: extended,
+                evidence,
+            },
+        ) {
+            Ok(Evaluated::Holds(point)) => Some(point),
+            _ => None,
+        }
+    };
+    let certificate = With {
+        statement: own.clone(),
+        evidence: Certificate::default(),
+    };
+    assert!(prove(&own, &certificate, &point(&own, 1).unwrap()).is_ok());
+    // the same statement with the terms of another
+    let mut changed = own.clone();
+    *changed.terms_mut() = other.terms().clone();
+    let elsewhere = point(&changed, 2).unwrap();
+    assert!(prove(&own, &certificate, &elsewhere).is_err());
+}
+
+#[test]
+fn an_abbreviation_is_what_it_stands_for_where_that_has_a_value() {
+    let mut draft = Draft::new(false, Vec::new(), Vec::new(), String::new());
+    let [short, below] = ["a", "y"].map(|name| draft.fresh(name));
+    let one = draft.terms_mut().integer(1);
+    let below = draft.terms_mut().symbol(below);
+    let quotient = draft.terms_mut().quotient(one, below);
+    draft.parts().definitions.insert(short, quotient);
+    let short = draft.terms_mut().symbol(short);
+    let own = draft.finish(vec![(Property::Nonzero, below)]);
+    assert!(accepts(&own, |_| vec![Inference::Unfold(short)]).is_err());
 }
