@@ -1099,6 +1099,8 @@ fn an_abbreviation_is_what_it_stands_for_where_that_has_a_value() {
     let quotient = draft.terms_mut().quotient(one, below);
     draft.parts().definitions.insert(short, quotient);
     let short = draft.terms_mut().symbol(short);
-    let own = draft.finish(vec![(Property::Nonzero, below)]);
+    let nothing = draft.terms_mut().integer(0);
+    let own = draft.finish(vec![(Property::Zero, nothing)]);
+    assert!(accepts(&own, |_| Vec::new()).is_ok());
     assert!(accepts(&own, |_| vec![Inference::Unfold(short)]).is_err());
 }
