@@ -161,7 +161,17 @@ fn are_one_by_definitions(sheet: &Sheet, entry: &Entry, equation: &Equation) -> 
         },
         _ => None,
     };
-    let definitions: Option<Vec<(Name, BTreeSet<Name>)>> = entry.follows_from.iter().map(definition).collect();
+    // conditions give nothing
+    let gives = |at: &&usize| {
+        let own = sheet.entries.get(**at);
+        own.is_none_or(|own| {
+            own.equations
+                .iter()
+                .any(|equation| equation.relation == Relation::Equal)
+        })
+    };
+    let below = entry.follows_from.iter().filter(gives);
+    let definitions: Option<Vec<(Name, BTreeSet<Name>)>> = below.map(definition).collect();
     let Some(definitions) = definitions.filter(|definitions| !definitions.is_empty()) else {
         return false;
     };

@@ -2397,6 +2397,10 @@ fn equations_side_by_side_are_judged_one_by_one() {
             r"\[ a = b^2 - c^2 \quad \text{and} \quad d = (b - c)(b + c) \] so \[ a = d \]",
             &["given", "given", "proved"],
         ),
+        (
+            r"\[ \frac1R = \frac1p + \frac1q, \quad \text{so that} \quad R = \frac{p q}{p + q} \]",
+            &["given", "proved"],
+        ),
         // a condition, and two values of one letter
         (
             r"\[ y = a x + b, \quad x = 1 \] so \[ y = a + b \]",
@@ -2422,6 +2426,35 @@ fn what_stands_at_a_brace_or_above_a_sign_changes_nothing() {
     // what a brace says holds in its own row
     let text = r"\begin{align} s &= x + \underbrace{q}_{=0} = x, \\ t &= x + q (x - l) = x. \end{align}";
     assert_eq!(verdicts_of(text), ["given", "proved", "given", "undecided"]);
+}
+
+#[test]
+fn conditions_in_words_hold_of_the_displays_that_they_are_said_of() {
+    let root = |letter: &str| format!(r"\[ \sqrt{{{letter}^2}} = {letter} \]");
+    let (first, second) = (root("d"), r"\[ \sqrt{d^2} + 1 = d + 1 \]");
+    let wanted = |text: &str, wanted: &[&str]| {
+        assert_eq!(verdicts_of(&format!("\\section{{Work}}\n{text}")), wanted, "{text}");
+    };
+    wanted(
+        r"For $\lambda>0$ we have \[\int_0^\infty\lambda e^{-\lambda x}\,dx=1.\]",
+        &["proved"],
+    );
+    wanted(r"Let $a, b > 0$. Then \[ \sqrt{a^2 b} = a \sqrt b \]", &["proved"]);
+    wanted(&format!("{first} where $d > 0$."), &["proved"]);
+    wanted(
+        &format!("If $d > 0$, then {first} and in general {second}"),
+        &["proved", "undecided"],
+    );
+    wanted(&format!("{first} If $d > 0$, then {second}"), &["given", "proved"]);
+    for text in [
+        "Unless $d > 0$,",
+        "We do not assume $d > 0$.",
+        "Let $d > 0$ or $d < 0$.",
+        r"Is $d > 0$?",
+    ] {
+        let verdicts = verdicts_of(&format!("\\section{{Work}}\n{text} {first}"));
+        assert!(verdicts[0] != "proved", "{text}");
+    }
 }
 
 #[test]

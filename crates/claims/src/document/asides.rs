@@ -442,6 +442,119 @@ pub(super) fn next_display(text: &str, at: usize) -> Option<usize> {
     Some(at + end + close.len())
 }
 
+/// Returns the conditions that a formula within the text states of letters, each by itself: `a > 0` and `b > 0` for `a, b > 0`.
+pub(super) fn signs(tex: &str) -> Vec<String> {
+    let relations = [
+        r"\geq", r"\ge", r"\gt", r"\neq", r"\ne", r"\leq", r"\le", r"\lt", ">", "<",
+    ];
+    let found = relations.iter().find_map(|sign| Some((tex.split_once(sign)?, *sign)));
+    let Some(((letters, _), sign)) = found.filter(|((_, number), _)| number.trim() == "0") else {
+        return Vec::new();
+    };
+    let letters: Vec<&str> = letters.split(',').map(str::trim).collect();
+    let is_letter = |letter: &&str| texmath::read_name(letter, &texmath::Names::default()).is_ok();
+    match tex.len() <= LONGEST && letters.iter().all(is_letter) {
+        true => letters.iter().map(|letter| format!("{letter} {sign} 0")).collect(),
+        false => Vec::new(),
+    }
+}
+
+/// Words right in front of a condition that holds from there on, of the next display, and right behind a display of that.
+const FROM_HERE: [&str; 6] = ["let", "assume", "suppose", "assume that", "suppose that", "we assume"];
+const OF_NEXT: [&str; 10] = [
+    "for",
+    "if",
+    "when",
+    "with",
+    "provided",
+    "provided that",
+    "for all",
+    "for any",
+    "for every",
+    "assuming",
+];
+const OF_LAST: [&str; 10] = [
+    "for",
+    "if",
+    "when",
+    "with",
+    "where",
+    "provided",
+    "provided that",
+    "for all",
+    "for any",
+    "for every",
+];
+
+/// Words between those and the letters: `for constants $a, b > 0$`.
+const KINDS: [&str; 8] = [
+    "a",
+    "some",
+    "constant",
+    "constants",
+    "real",
+    "numbers",
+    "parameters",
+    "fixed",
+];
+
+/// Returns of which displays words say that a condition holds; `since` is the text since the last display, if any.
+pub(super) fn condition_announced(before: &str, since: Option<&str>, behind: &str) -> Option<Announced> {
+    let words = |text: &str| -> Vec<String> {
+        let text = text.to_lowercase();
+        let all = text
+            .split(|c: char| !c.is_alphabetic() && c != '$' && c != '\\')
+            .filter(|word| !word.is_empty());
+        all.map(str::to_owned).collect()
+    };
+    let ends = [". ", ".\n", "; ", "}", "]", "$"];
+    let last = |text: &'_ str| {
+        ends.iter()
+            .filter_map(|end| text.rfind(end).map(|at| at + end.len()))
+            .max()
+            .unwrap_or(0)
+    };
+    let sentence = before.rsplit("\n\n").next().unwrap_or_default();
+    let mut front = words(sentence.get(last(sentence)..).unwrap_or_default());
+    while front.last().is_some_and(|word| KINDS.contains(&word.as_str())) {
+        front.pop();
+    }
+    let is_taken_back = |text: &str| {
+        words(text)
+            .iter()
+            .any(|word| ["not", "unless", "otherwise", "else", "or"].contains(&word.as_str()))
+    };
+    let rest = [". ", ".\n", "\n\n", r"\[", "$$", r"\begin"]
+        .iter()
+        .filter_map(|end| behind.find(end))
+        .min();
+    if is_taken_back(behind.get(..rest.unwrap_or(behind.len())).unwrap_or_default()) {
+        return None;
+    }
+    let says = |list: &[&str]| list.contains(&front.join(" ").as_str());
+    let behind_display = since.is_some_and(|since| {
+        let plain = [
+            r"\]",
+            "$$",
+            r"\end{equation}",
+            r"\end{equation*}",
+            r"\end{align}",
+            r"\end{align*}",
+        ]
+        .iter()
+        .fold(since.to_owned(), |text, end| text.replace(end, " "));
+        // a capital letter begins a sentence about the next one
+        let first = plain.chars().find(|c| c.is_alphabetic());
+        first.is_some_and(char::is_lowercase) && OF_LAST.contains(&words(&plain).join(" ").as_str())
+    });
+    match () {
+        () if behind_display => Some(Announced::Behind),
+        () if says(&FROM_HERE) => Some(Announced::FromHere),
+        () if says(&OF_NEXT) => Some(Announced::Next),
+        () => None,
+    }
+}
+
 /// Returns the equations that braces of a display state of what they stand at, `\underbrace{a - b}_{= 0}`, with their places.
 pub(super) fn at_braces(text: &str, display: Range<usize>) -> Vec<(Range<usize>, String)> {
     let own = text.get(display.clone()).unwrap_or_default();

@@ -132,6 +132,8 @@ pub(super) struct Guess {
     scopes: BTreeMap<Name, Vec<Range<usize>>>,
     /// The formulas within the text that hold so far, by label, and where in the text they end to hold.
     asides: Vec<(String, usize)>,
+    /// Conditions that the text states, each of a letter, with the place up to which it holds.
+    conditions: Vec<(String, Name, usize)>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
     /// The formulas that give a defined name once more.
@@ -700,6 +702,7 @@ impl Guess {
             printed: HashMap::new(),
             scopes: BTreeMap::new(),
             asides: Vec::new(),
+            conditions: Vec::new(),
             premises: Vec::new(),
             again: HashMap::new(),
             stated: Vec::new(),
@@ -737,11 +740,20 @@ impl Guess {
     pub fn aside(&mut self, at: usize, label: &str, until: usize) -> Option<(Role, Vec<String>)> {
         self.numbers.insert(label.to_owned(), at);
         let equations = self.read.get(at).filter(|equations| equations.len() == 1)?.clone();
-        let equation = equations
-            .first()
-            .filter(|equation| equation.relation == Relation::Equal)?;
+        let equation = equations.first()?;
+        let is_condition = equation.relation != Relation::Equal;
+        let is_of_letter = matches!((&equation.left, &equation.right), (Tree::Symbol(..), Tree::Number(_)));
+        if is_condition && !is_of_letter {
+            return None;
+        }
         if self.conflict(at).is_some() || self.question(at, "").is_some() || question_below(&equations).is_some() {
             return None;
+        }
+        if let (Tree::Symbol(name, _), true) = (&equation.left, is_condition) {
+            self.conditions.push((label.to_owned(), name.clone(), until));
+            self.guessed.insert(label.to_owned(), Role::Premise);
+            self.names.insert(name.clone());
+            return Some((Role::Premise, Vec::new()));
         }
         let new = self.defined_until(equation, at, until);
         self.remember(equation, label);
@@ -767,6 +779,14 @@ impl Guess {
         names.retain(|name| Some(name) != new.as_ref());
         self.names.extend(names);
         Some((role, below))
+    }
+
+    /// Returns the conditions in force at a formula on these letters, and on those by which definitions give them.
+    fn conditions_of(&self, names: &BTreeSet<Name>, at: usize) -> Vec<String> {
+        let (reached, place) = (self.reached(names), self.places.get(at).copied().unwrap_or_default());
+        let holds = |(_, name, until): &&(String, Name, usize)| place < *until && reached.contains(name);
+        let all = self.conditions.iter().filter(holds);
+        all.map(|(label, ..)| label.clone()).collect()
     }
 
     /// Guesses the role of a formula and what it follows from.
@@ -807,6 +827,7 @@ impl Guess {
         });
         let mut names = self.names_of(&equations);
         let mut below = self.definitions_of(&names);
+        below.extend(self.conditions_of(&names, at));
         // a chain begins with an identity where its first sides have the same letters
         let begins_alike =
             is_head && matches!(equations.as_slice(), [one] if letters_of(&one.left) == letters_of(&one.right));

@@ -91,7 +91,20 @@ const MOST_BESIDE: usize = 20;
 const VARIABLES: [&str; 9] = ["t", "x", "y", "z", "r", "s", r"\theta", r"\phi", r"\varphi"];
 
 /// Words and signs between equations that are printed side by side.
-const BETWEEN: [&str; 4] = ["", "and", "where", "with"];
+const BETWEEN: [&str; 12] = [
+    "",
+    "and",
+    "where",
+    "with",
+    "so",
+    "so that",
+    "hence",
+    "thus",
+    "therefore",
+    "i.e.",
+    "that is",
+    "which gives",
+];
 
 /// The equations that blanks part, `a = b, \quad c = d`; none where one of them may be a condition on others, or another value of the
 /// same letter: `y = a x, \quad x = 1`, `x = 1, \quad x = 2`.

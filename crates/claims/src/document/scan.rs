@@ -649,6 +649,11 @@ impl<'a> Scan<'a> {
     fn aside(&mut self, here: usize, body: Range<usize>) {
         let text = |part: Range<usize>| self.text.get(part).unwrap_or_default();
         let tex = text(body.clone());
+        let conditions = asides::signs(tex);
+        if !conditions.is_empty() {
+            self.conditions(here, body, conditions);
+            return;
+        }
         if !asides::states(tex) {
             return;
         }
@@ -675,6 +680,36 @@ impl<'a> Scan<'a> {
         let after = display.map_or(self.formulas.len(), |last| last.first);
         let tex = tex.to_owned();
         self.keep_aside(body, &tex, announced, after, until);
+    }
+
+    /// Keeps conditions within the text, whose formula opens here, where words say of which displays they hold.
+    fn conditions(&mut self, here: usize, body: Range<usize>, conditions: Vec<String>) {
+        let text = |part: Range<usize>| self.text.get(part).unwrap_or_default();
+        let last = self.formulas.last();
+        let since = last.map(|last| text(last.part.end..here));
+        let behind = self.text.get(body.end + 1..).unwrap_or_default();
+        let far = behind.char_indices().nth(FARTHEST).map_or(behind.len(), |(far, _)| far);
+        let behind = behind.get(..far).unwrap_or_default();
+        let front = here.saturating_sub(FARTHEST);
+        let front = (front..=here)
+            .find_map(|from| self.text.get(from..here))
+            .unwrap_or_default();
+        let Some(announced) = asides::condition_announced(front, since, behind) else {
+            return;
+        };
+        let until = match announced {
+            Announced::Next => asides::next_display(&self.text, body.end + 1),
+            Announced::FromHere => Some(asides::scope_end(&self.text, here)),
+            Announced::Behind => Some(here),
+        };
+        let after = last
+            .filter(|_| announced == Announced::Behind)
+            .map_or(self.formulas.len(), |last| last.first);
+        for condition in conditions {
+            if let Some(until) = until {
+                self.keep_aside(body.clone(), &condition, announced, after, until);
+            }
+        }
     }
 
     /// Keeps a formula that is said of the formulas from one number on, up to a place in the text.
