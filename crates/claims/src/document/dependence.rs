@@ -4,7 +4,7 @@ use super::tex::unspaced;
 use std::collections::BTreeSet;
 use texmath::{
     BOLD, Equation, Name, Names, Opaque, Operation, Tree, any, any_side, derivative_of, is_constant, is_opaque,
-    names_in, read_name, with_commands,
+    letters, names_in, read_name, with_commands,
 };
 
 /// The letters of a document that may vary.
@@ -310,29 +310,29 @@ const BY_TIME: [&str; 6] = [
     r"\dv*{t}",
 ];
 
+/// The most formulas that hold a letter which is a function of time: what follows from laws of functions takes long to decide.
+const MOST_FORMULAS: usize = 8;
+
 /// The most letters with dots that are looked at.
 const MOST_DOTS: usize = 2_000;
 
 /// The most bytes of a letter with dots and a subscript.
 const LONGEST: usize = 40;
 
-/// The letters that formulas print with dots, where a formula holds the derivative by time of more than one letter: functions of time.
+/// The letters with dots of formulas that hold the derivative by time of more than one letter: functions of time.
 pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> Vec<Name> {
     let takes_rates = |tex: &str| {
         let shown = unspaced(tex);
         BY_TIME.iter().any(|sign| shown.contains(sign))
     };
     let mut found = Vec::new();
-    if !formulas.clone().any(takes_rates) {
-        return found;
-    }
     // a letter in bold is a name of its own
     let bold = Names {
         opaque: Some(Opaque::default()),
         ..Names::default()
     };
     let mut left = MOST_DOTS;
-    for tex in formulas.clone() {
+    for tex in formulas.clone().filter(|tex| takes_rates(tex)) {
         let tex = with_commands(tex);
         let all = [r"\dot", r"\ddot"].iter().flat_map(|sign| tex.match_indices(sign));
         for (at, _) in all.take(left) {
@@ -353,6 +353,7 @@ pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> 
     }
     // `\mathbf{v}` and its length v cannot both be functions
     let in_bold: BTreeSet<String> = formulas
+        .clone()
         .flat_map(|tex| {
             let shown = bare(&unspaced(tex));
             let all = BOLD.iter().flat_map(|bold| shown.match_indices(bold));
@@ -361,5 +362,12 @@ pub(super) fn with_dots<'t>(formulas: impl Iterator<Item = &'t str> + Clone) -> 
         })
         .collect();
     found.retain(|name: &Name| !in_bold.contains(&name.base));
+    if !found.is_empty() {
+        let met: Vec<BTreeSet<String>> = formulas
+            .map(|tex| letters(tex, &bold).into_iter().map(|(letter, _)| letter).collect())
+            .collect();
+        let count = |name: &Name| met.iter().filter(|own| own.contains(&name.base)).count();
+        found.retain(|name| count(name) <= MOST_FORMULAS);
+    }
     found
 }
