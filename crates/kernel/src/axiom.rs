@@ -26,7 +26,7 @@ pub struct AxiomRow {
     pub source: &'static str,
 }
 
-/// What an instance needs, or concludes.
+/// A condition that an instance needs, or its conclusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Guard {
     Holds(Property, Term),
@@ -259,7 +259,7 @@ impl<'a> Reader<'a> {
         Ok(self.terms.elementary(function, of))
     }
 
-    /// What stands behind `root` or `power`.
+    /// Reads the two arguments behind `root` or `power`.
     fn of_two(&mut self, function: &str) -> Result<Term, Refusal> {
         let open = self.takes("(");
         let first = self.sum()?;

@@ -312,7 +312,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The law that follows by differentiating a law with respect to its time.
+    /// Adds the law that follows by differentiating a law with respect to its time.
     fn derivative(&mut self, source: LawSource) -> Outcome<()> {
         let mut law = self.derived(source)?;
         let time = law.time;
@@ -337,7 +337,7 @@ impl<'a> Checker<'a> {
         Ok(())
     }
 
-    /// A term in generic symbols alone is not 0.
+    /// Takes a term in generic symbols alone for not 0.
     fn generic(&mut self, term: Term) -> Outcome<()> {
         let vanishing = self
             .statement
@@ -364,7 +364,7 @@ impl<'a> Checker<'a> {
         self.conclude(Property::Nonzero, term)
     }
 
-    /// An equation of a map, differentiated along it.
+    /// Differentiates an equation of a map along it.
     fn along(&mut self, map: usize, equation: usize, by: Symbol) -> Outcome<()> {
         let step = self.statement.steps.get(map).cloned();
         let Some((step, (_, term))) = step.and_then(|step| Some((step.clone(), step.equations.get(equation)?.clone())))
@@ -694,7 +694,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The symbol runs: nothing may be known of it.
+    /// Checks that a symbol runs: nothing may be known of it.
     fn runs_freely(&mut self, time: Symbol) -> Outcome<()> {
         if !matches!(
             self.statement.quantity(time),
@@ -763,7 +763,7 @@ impl<'a> Checker<'a> {
         Ok(())
     }
 
-    /// A whole term, or the symbol of an abbreviation, is what it stands for.
+    /// Writes a whole term, or the symbol of an abbreviation, out.
     fn unfold(&mut self, term: Term) -> Outcome<()> {
         self.defined(&[term])?;
         if let Node::Symbol(symbol) = self.statement.terms.node(term) {

@@ -12,9 +12,9 @@ use texmath::Name;
 #[derive(Clone, Debug, Default)]
 pub struct Draft(Statement);
 
-/// What a draft says, to be set.
+/// The parts of a draft, to be set.
 pub struct Parts<'a> {
-    /// Whether complex numbers take part, so that all functions are principal branches.
+    /// True if complex numbers take part, so that all functions are principal branches.
     pub complex: &'a mut bool,
     pub givens: &'a mut Vec<Given>,
     /// Symbols that are abbreviations.
@@ -27,7 +27,7 @@ pub struct Parts<'a> {
     pub steps: &'a mut Vec<Step>,
     /// The explicit maps whose derivatives are those of their right sides.
     pub outright: &'a mut Vec<Step>,
-    /// What else the claim writes, and so must have a value.
+    /// Terms that the claim writes besides, and that so must have a value.
     pub beside: &'a mut Vec<Term>,
     /// The flight that the running time of the claim is in.
     pub flight: &'a mut Option<i32>,
@@ -46,7 +46,7 @@ impl Draft {
         })
     }
 
-    /// What it says. It is another statement from here on.
+    /// Lends its parts. It is another statement from here on.
     pub fn parts(&mut self) -> Parts<'_> {
         let own = &mut self.0;
         own.identity = 0;

@@ -6,28 +6,28 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use texmath::{Invariant, Name};
 
-/// Where what is given comes from.
+/// The source of a given.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
     /// A premise or an equation of a map, with its label.
     Premise(String),
-    /// What must hold for a premise to be defined.
+    /// A condition for the premise of this label to be defined.
     DomainOf(String),
-    /// What must hold for the claim to be defined.
+    /// A condition for the claim to be defined.
     ClaimDomain,
-    /// What is assumed of the claim.
+    /// An assumption of the claim.
     Assumptions,
-    /// What is declared of the symbol of this name.
+    /// A declaration of the symbol of this name.
     Declared(String),
     /// The derivative, the period or the relation that the symbol table gives.
     Table(String),
-    /// That derivatives along a map exist, of these quantities: what a proof excludes.
+    /// The condition that derivatives of these quantities along a map exist, which a proof takes for granted.
     DerivativesExist(String),
-    /// That a map or a flight of a witness is what it is.
+    /// A condition on a map or a flight that a witness brings along.
     Witness(&'static str),
 }
 
-/// How it is printed that derivatives exist.
+/// The words in which a given prints that derivatives exist.
 pub const DERIVATIVES_EXIST: &str = "derivatives exist of";
 
 impl fmt::Display for Origin {

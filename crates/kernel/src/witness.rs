@@ -153,7 +153,7 @@ impl<'a> At<'a> {
         self.check_real()
     }
 
-    /// The values of the sample are numbers, real ones of real symbols.
+    /// Checks that the values of the sample are numbers, real ones of real symbols.
     fn check_sample(&self) -> Outcome<()> {
         for (symbol, value) in &self.witness.sample {
             if !self.statement.terms.is_closed(*value) || self.solved.contains_key(symbol) {
@@ -176,7 +176,7 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// No value depends on the running time, or on what is no symbol.
+    /// Checks that no value depends on the running time, or on what is no symbol.
     fn check_moving(&self) -> Outcome<()> {
         let table = self.witness.table.iter().map(|(.., value)| *value);
         let named = self.witness.functions.iter().map(|(.., term)| *term);
@@ -199,7 +199,7 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// Functions and real symbols have real values, and no solved one holds another.
+    /// Checks that functions and real symbols have real values, and that no solved one holds another.
     fn check_real(&self) -> Outcome<()> {
         let imaginary = |term: &Term| *self.statement.terms.node(*term) == Node::Imaginary;
         for (.., time, value) in &self.witness.table {
@@ -1299,7 +1299,7 @@ impl<'a> At<'a> {
         self.check_table_apart()
     }
 
-    /// What binds functions with single values are periods, one for each of them.
+    /// Checks that the laws of functions with single values are periods, one for each of them.
     fn check_periods(&mut self) -> Outcome<()> {
         let mut laws: Vec<(Function, Term)> = Vec::new();
         for given in self.statement.givens.clone() {
@@ -1360,7 +1360,7 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// The times of single values are different, also from the ends of flights, where the values are states.
+    /// Checks that the times of single values are different, also from the ends of flights, where the values are states.
     fn check_table_apart(&mut self) -> Outcome<()> {
         let table = &self.witness.table;
         for (n, (f, order, a, _)) in table.iter().enumerate() {

@@ -277,7 +277,7 @@ impl<'a> Session<'a> {
         self.once(Inference::Unfold(term))
     }
 
-    /// What a power whose exponent is any number is by exponential and logarithm.
+    /// Writes a power whose exponent is any number by exponential and logarithm.
     pub fn real_power(&mut self, base: Term, exponent: Term) -> Option<usize> {
         self.axiom("RealPower", &[base, exponent])
             .or_else(|| self.axiom("ComplexPower", &[base, exponent]))

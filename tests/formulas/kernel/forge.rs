@@ -154,7 +154,7 @@ pub fn of_value(name: &'static str, value: Term, own: &mut Statement) -> Inferen
     }
 }
 
-/// That a root is a value.
+/// The step that a root is a value.
 pub fn unique_root(root: Term, value: Term, own: &mut Statement) -> Inference {
     let Node::Elementary(Elementary::Root(index), of) = own.terms().node(root).clone() else {
         panic!("no root")

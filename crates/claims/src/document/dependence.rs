@@ -218,7 +218,7 @@ fn last_letter(text: &str) -> Option<String> {
     }
 }
 
-/// What equations hold of letters that may vary.
+/// The letters of an equation that may vary with one by which it differentiates or integrates.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Dependence {
     /// True if nothing says whether a letter depends on one by which it is differentiated or integrated.
@@ -228,7 +228,7 @@ pub(super) struct Dependence {
 }
 
 impl Dependence {
-    /// What an equation holds. `is_value` says that the first letter has a value in terms of the second, `is_of_time` that a letter
+    /// Finds the letters of an equation. `is_value` says that the first letter has a value in terms of the second, `is_of_time` that a letter
     /// is a function of time, by which it may be differentiated.
     pub fn of(
         equation: &Equation,
