@@ -8,7 +8,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::atomic::{AtomicU64, Ordering};
 use texmath::Name;
 
-/// A statement that is made. It can be added to until it is finished; then nothing given and no goal can be changed.
+/// A statement in the making. It can be added to until it is finished; then nothing given and no goal can be changed.
 #[derive(Clone, Debug, Default)]
 pub struct Draft(Statement);
 

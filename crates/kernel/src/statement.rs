@@ -731,13 +731,8 @@ impl Statement {
     }
 
     fn is_complex_state(&self, state: &Name) -> bool {
-        let undotted = |name: &Name| {
-            let mut name = name.clone();
-            name.accents.retain(|accent| !accent.ends_with("dot"));
-            name
-        };
         self.complex_symbols.iter().any(|symbol| match self.quantity(*symbol) {
-            Some(Quantity::State { state: complex, .. }) => undotted(complex) == undotted(state),
+            Some(Quantity::State { state: complex, .. }) => complex.without_dots() == state.without_dots(),
             _ => false,
         })
     }

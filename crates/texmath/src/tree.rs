@@ -47,6 +47,13 @@ impl Name {
         }
         name
     }
+
+    /// The name without its dots.
+    pub fn without_dots(&self) -> Self {
+        let mut name = self.clone();
+        name.accents.retain(|accent| !accent.ends_with("dot"));
+        name
+    }
 }
 
 /// A byte offset into the TeX a node was read from. It takes no part in comparisons.

@@ -459,26 +459,15 @@ pub(super) fn signs(tex: &str) -> Vec<String> {
     }
 }
 
-/// Words right in front of a condition that holds from there on, of the next display, and right behind a display of that.
+/// Words right in front of a condition that holds from there on.
 const FROM_HERE: [&str; 6] = ["let", "assume", "suppose", "assume that", "suppose that", "we assume"];
-const OF_NEXT: [&str; 10] = [
+
+/// Words right in front of a condition on one display: the next one, or the last one where they stand right behind it.
+const OF_ONE: [&str; 9] = [
     "for",
     "if",
     "when",
     "with",
-    "provided",
-    "provided that",
-    "for all",
-    "for any",
-    "for every",
-    "assuming",
-];
-const OF_LAST: [&str; 10] = [
-    "for",
-    "if",
-    "when",
-    "with",
-    "where",
     "provided",
     "provided that",
     "for all",
@@ -498,7 +487,7 @@ const KINDS: [&str; 8] = [
     "fixed",
 ];
 
-/// Returns of which displays words say that a condition holds; `since` is the text since the last display, if any.
+/// Returns the displays of which words say that a condition holds, if they do; `since` is the text since the last display, if any.
 pub(super) fn condition_announced(before: &str, since: Option<&str>, behind: &str) -> Option<Announced> {
     let words = |text: &str| -> Vec<String> {
         let text = text.to_lowercase();
@@ -545,12 +534,15 @@ pub(super) fn condition_announced(before: &str, since: Option<&str>, behind: &st
         .fold(since.to_owned(), |text, end| text.replace(end, " "));
         // a capital letter begins a sentence about the next one
         let first = plain.chars().find(|c| c.is_alphabetic());
-        first.is_some_and(char::is_lowercase) && OF_LAST.contains(&words(&plain).join(" ").as_str())
+        first.is_some_and(char::is_lowercase)
+            && [&OF_ONE[..], &["where"]]
+                .concat()
+                .contains(&words(&plain).join(" ").as_str())
     });
     match () {
         () if behind_display => Some(Announced::Behind),
         () if says(&FROM_HERE) => Some(Announced::FromHere),
-        () if says(&OF_NEXT) => Some(Announced::Next),
+        () if says(&OF_ONE) || says(&["assuming"]) => Some(Announced::Next),
         () => None,
     }
 }

@@ -18,7 +18,7 @@ pub(super) struct Varying {
 
 impl Varying {
     /// The letters that equations differentiate by themselves, call, or mark by dots and primes, those behind a sign of a
-    /// difference or differential, and those of which the text says that they vary.
+    /// difference or differential, those that have a value, and those of which the text says that they vary.
     pub fn of<'e>(equations: impl Iterator<Item = &'e Equation>, texts: &[String], said: &BTreeSet<String>) -> Self {
         let (mut letters, mut valued) = (said.clone(), BTreeSet::new());
         for equation in equations {
@@ -86,9 +86,10 @@ const CONSTANTS: [&str; 22] = [
 
 /// A name as it prints without dots and primes.
 fn plain(name: &Name) -> String {
-    let mut name = name.clone();
-    name.primes = 0;
-    name.accents.retain(|accent| !accent.ends_with("dot"));
+    let name = Name {
+        primes: 0,
+        ..name.without_dots()
+    };
     bare(&name.to_string())
 }
 
@@ -147,7 +148,8 @@ fn differences(tex: &str) -> Vec<String> {
             let (letter, behind) = behind.split_at_checked(length).unwrap_or_default();
             let subscript = match behind.strip_prefix('_') {
                 Some(group) if group.starts_with('{') => {
-                    group.split('}').next().unwrap_or_default().trim_start_matches('{')
+                    let end = group.char_indices().take(LONGEST).find(|(_, c)| *c == '}');
+                    end.map_or("", |(end, _)| group.get(1..end).unwrap_or_default())
                 }
                 Some(sign) => sign.get(..1).unwrap_or_default(),
                 None => "",

@@ -736,7 +736,7 @@ impl Guess {
     }
 
     /// Takes what a formula within the text says, and returns what it is to those that follow from it, and what it follows from
-    /// itself; nothing where it is no equation of letters that are read. It holds up to the place `until` of the text.
+    /// itself; nothing where it is neither an equation nor a condition of letters that are read. It holds up to the place `until` of the text.
     pub fn aside(&mut self, at: usize, label: &str, until: usize) -> Option<(Role, Vec<String>)> {
         self.numbers.insert(label.to_owned(), at);
         let equations = self.read.get(at).filter(|equations| equations.len() == 1)?.clone();

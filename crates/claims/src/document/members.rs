@@ -43,7 +43,7 @@ pub(super) struct Members {
     /// True if small letters may be other things than columns: some are called matrices, or the text speaks of rows, operators or
     /// quaternions.
     pub has_other_columns: bool,
-    /// The letters in clauses that say that something varies.
+    /// The letters in clauses that say that something varies, and those that a formula within the text shows to vary.
     pub varying: BTreeSet<String>,
 }
 

@@ -289,7 +289,7 @@ pub(super) struct Scan<'a> {
 }
 
 /// Returns true if a formula parts equations by blanks.
-fn is_side_by_side(text: &str, formula: Option<&Formula>) -> bool {
+fn is_parted_by_blanks(text: &str, formula: Option<&Formula>) -> bool {
     let own = formula.and_then(|formula| text.get(formula.part.clone()));
     own.is_some_and(|own| own.contains(r"\quad") || own.contains(r"\qquad"))
 }
@@ -1331,7 +1331,7 @@ impl<'a> Scan<'a> {
                 let own = rows
                     .iter()
                     .position(|row| row.part.start <= part.start && part.start < row.part.end);
-                let Some(own) = own.filter(|own| !is_side_by_side(&self.text, rows.get(*own))) else {
+                let Some(own) = own.filter(|own| !is_parted_by_blanks(&self.text, rows.get(*own))) else {
                     continue;
                 };
                 let links = rows.iter().skip(own + 1).take_while(|row| row.is_link);

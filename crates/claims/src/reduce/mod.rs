@@ -387,18 +387,9 @@ fn ties_functions(statements: &Statements, symbols: &Symbols, name: &Name, value
     let mut premises = statements.premises.iter().map(|premise| &premise.equation);
     premises.any(|premise| {
         let mut others = others.iter().filter(is_other);
-        speaks(premise, name) && others.any(|other| !is_rate(other, name) && speaks(premise, other))
+        speaks(premise, name)
+            && others.any(|other| other.without_dots() != name.without_dots() && speaks(premise, other))
     })
-}
-
-/// Returns true if one of two functions is the other with dots.
-fn is_rate(a: &Name, b: &Name) -> bool {
-    let plain = |name: &Name| {
-        let mut name = name.clone();
-        name.accents.retain(|accent| !accent.ends_with("dot"));
-        name
-    };
-    plain(a) == plain(b)
 }
 
 /// Whether an assumed equation ties a symbol to others.
