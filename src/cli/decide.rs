@@ -59,7 +59,7 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
 
 /// Counts the rows of a document without comments by their verdicts, in the order in which their author wants to see them.
 fn summary(rows: &[Row]) -> String {
-    let order = ["suspect", "proved", "given", "undecided", "unread"];
+    let order = ["suspect", "proved", "conditional", "given", "undecided", "unread"];
     let counts = order.into_iter().filter_map(|verdict| {
         let is_it = |row: &&Row| row.decision.verdict.to_string() == verdict;
         let count = rows.iter().filter(is_it).count();
@@ -132,11 +132,13 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             .is_some_and(|entry| entry.equations.iter().any(has_opaque_symbols))
     };
     let read = is_judged && sheet.unread_below(position).is_empty() && !(is_linear && has_terms());
+    let at_each_index = decision.at_each_index.then(|| sheet.at_each_index(position));
+    let decided = at_each_index.flatten().map(|(sheet, _)| sheet);
     let evidence = read
         .then(|| {
             let counterexample = decision.counterexample.as_ref().map(|own| &own.point);
             witness_near(
-                sheet,
+                decided.as_ref().unwrap_or(sheet),
                 position,
                 decision.verdict,
                 POINTS,

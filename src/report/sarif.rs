@@ -42,7 +42,7 @@ pub struct Finding {
 }
 
 /// The rules: kind, verdict, how serious it is where it was not expected, and what it says.
-const RULES: [(Kind, &str, &str, &str); 13] = [
+const RULES: [(Kind, &str, &str, &str); 14] = [
     (
         Kind::Input,
         "unusable",
@@ -66,6 +66,12 @@ const RULES: [(Kind, &str, &str, &str); 13] = [
         "suspect",
         "warning",
         "The link of a chain fails where what stands before it holds, and one small change makes it hold.",
+    ),
+    (
+        Kind::Formula,
+        "conditional",
+        "note",
+        "The formula follows but for values at which a factor of a premise is 0, which its author divided by.",
     ),
     (
         Kind::Formula,

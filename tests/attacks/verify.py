@@ -833,12 +833,12 @@ TABLE = {
         "a x; y := a*x; z := a*y; claim z = a**2*x",
     "indices/twice-wrong":
         "a := 2; x := 1; z := 4; claim z = a**3*x",
-    "indices/k-does-not-run":
-        "a := 1; x := 0; y := 0; z := 1; given y = a*x; claim z = a**2*x",
+    "indices/k-runs-twice":
+        "a x; y := a*x; z := a*y; claim z = a**2*x",
     "indices/k-does-not-run-restated":
         "a x; y := a*x; claim y**2 = a**2*x**2",
     "indices/k-next":
-        "a := 1; x := 0; y := 0; z := 1; given y = a*x; claim z = a*y",
+        "a x; y := a*x; z := a*y; claim z = a*y",
     "indices/pair-k-does-not-run":
         "r := 1/2; x := 2; y := -1; z := 7; given y = -r*x; claim z = r**2*x",
     "indices/pair-both-flights":

@@ -871,7 +871,7 @@ fn powers_with_letters_as_exponents_are_multiplied_at_positive_bases() {
     );
     assert_eq!(decide("K^{a + b} = K^a K^b"), proved("K > 0"));
     // of integers the base may be negative
-    assert_eq!(decide("K^{n + 1} = K K^n").1, "");
+    assert_eq!(decide("K^{n + 1} = K K^n"), proved(r"K \neq 0"));
     for wrong in ["(K + L)^a = K^a + L^a", "K^{a b} = K^a K^b", "(K L)^a = K^a L"] {
         assert_ne!(decide(wrong).0, Verdict::Proved, "{wrong}");
     }
@@ -890,4 +890,153 @@ fn an_antiderivative_may_be_asked_for_under_conditions_but_not_at_one_point() {
     let cosine = r"\int \cos(a x) \, dx = \frac{\sin(a x)}{a} + C";
     assert_eq!(decide(cosine, "b = 1"), Verdict::Proved);
     assert_eq!(decide(r"\int x \, dx = x + C", "x = 1"), Verdict::Undecided);
+}
+
+/// The verdicts of claims, each with what it follows from, its premises first.
+fn verdicts_of(symbols: &str, premises: &[(&str, &str)], claims: &[(&str, &str, Verdict)]) {
+    let premises: String = premises.iter().map(|(label, tex)| premise(label, tex)).collect();
+    for (number, (from, tex, wanted)) in claims.iter().enumerate() {
+        let (label, from) = (format!("c{number}"), format!("follows_from = [{from}]\n"));
+        let text = format!(
+            "[symbols]\n{symbols}\n{premises}{}",
+            equation(&label, "claim", tex, &from)
+        );
+        let decisions = audit(&text).unwrap();
+        let decision = decisions.iter().find(|own| own.label == label).unwrap();
+        assert_eq!(decision.verdict, *wanted, "{tex}: {}", decision.reason);
+    }
+}
+
+#[test]
+fn members_of_sequences_are_taken_at_each_index_that_a_claim_reaches() {
+    let premises = [
+        ("q", "a_n = n^2"),
+        ("z", r"b_n = \frac{1}{n}"),
+        ("x", r"\phi_{n+1} = \phi_n + v_n"),
+        ("v", r"v_{n+1} = \alpha v_n - \gamma \cos\phi_{n+1}"),
+    ];
+    verdicts_of(
+        "parameters = ['\\alpha', '\\gamma']\nstates = ['a', 'b', 'v', '\\phi']\nindices = ['n']",
+        &premises,
+        &[
+            ("'q'", "a_{n+1} - a_n = 2 n + 1", Verdict::Proved),
+            ("'q'", "a_{n+1} - a_n = 2 n + 2", Verdict::Refuted),
+            ("'q'", "a_{2n} = 4 n^2", Verdict::Proved),
+            ("'q'", "a_{2n+1} - a_{2n} = 4 n", Verdict::Refuted),
+            ("'q', 'z'", "a_{n+1} b_n = n + 2 + b_n", Verdict::Proved),
+            ("'z'", r"b_{n+1} - b_n = -\frac{1}{n (n + 1)}", Verdict::Proved),
+            (
+                "'x', 'v'",
+                r"v_{n+2} = \alpha^2 v_n - \gamma (\alpha \cos\phi_{n+1} + \cos\phi_{n+2})",
+                Verdict::Proved,
+            ),
+            (
+                "'x', 'v'",
+                r"v_{n+2} = \alpha^2 v_n - \gamma (\alpha \cos\phi_{n+1} - \cos\phi_{n+2})",
+                Verdict::Refuted,
+            ),
+            (
+                "'x'",
+                r"\phi_{n+2} - 2 \phi_{n+1} + \phi_n = v_{n+1} - v_n",
+                Verdict::Proved,
+            ),
+        ],
+    );
+}
+
+#[test]
+fn premises_that_contradict_each_other_further_on_prove_nothing() {
+    // a_{n+1} = a_n + 1 beside a_n = n^2, which no sequence satisfies
+    let premises = [("q", "a_n = n^2"), ("s", "a_{n+1} = a_n + 1"), ("z", "a_0 = 1")];
+    verdicts_of(
+        "parameters = ['c']\nstates = ['a', 'b']\nindices = ['n']",
+        &premises,
+        &[
+            ("'q', 's'", "a_{n+1} - a_n = 1", Verdict::Undecided),
+            ("'q', 'z'", "a_{n+1} - a_n = 2 n + 1", Verdict::Undecided),
+        ],
+    );
+}
+
+#[test]
+fn a_map_from_one_index_to_the_next_is_read_for_each_where_a_claim_goes_on() {
+    let premises = [
+        ("x", r"\phi_{k+1} = \phi_k + v_k"),
+        ("v", r"v_{k+1} = \alpha v_k - \gamma \cos(\phi_k + v_k)"),
+    ];
+    verdicts_of(
+        "parameters = ['\\alpha', '\\gamma']\nstates = ['v', '\\phi']",
+        &premises,
+        &[
+            (
+                "'x', 'v'",
+                r"v_{k+2} = \alpha v_{k+1} - \gamma \cos\phi_{k+2}",
+                Verdict::Proved,
+            ),
+            (
+                "'x', 'v'",
+                r"v_{k+2} = \alpha v_{k+1} + \gamma \cos\phi_{k+2}",
+                Verdict::Undecided,
+            ),
+        ],
+    );
+}
+
+#[test]
+fn the_laws_of_integer_powers_hold_at_bases_that_are_not_0() {
+    let decide = |tex: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['x', 'y']\nintegers = ['n', 'm']\n{}",
+            equation("1", "claim", tex, "")
+        );
+        let decision = audit(&text).unwrap().remove(0);
+        (decision.verdict, decision.provided.join("; "))
+    };
+    for (tex, provided) in [
+        ("x^{n+m} = x^n x^m", r"x \neq 0"),
+        ("x^{n-m} = \\frac{x^n}{x^m}", r"x \neq 0"),
+        ("(x y)^n = x^n y^n", r"x \neq 0; y \neq 0"),
+        (
+            "\\left(\\frac{x}{y}\\right)^n = \\frac{x^n}{y^n}",
+            r"x \neq 0; y \neq 0",
+        ),
+        ("(x^n)^m = x^{n m}", r"x \neq 0"),
+        ("x^{-n} = \\frac{1}{x^n}", r"x \neq 0"),
+        ("(-x)^{2n+1} = -x^{2n+1}", r"x \neq 0"),
+        ("(-1)^{2n} = 1", ""),
+    ] {
+        assert_eq!(decide(tex), (Verdict::Proved, provided.to_owned()), "{tex}");
+    }
+    for tex in [
+        "x^{n+m} = x^n + x^m",
+        "(-x)^n = -x^n",
+        "(x^n)^m = x^{n+m}",
+        "x^{-n} = -x^n",
+    ] {
+        assert_eq!(decide(tex).0, Verdict::Refuted, "{tex}");
+    }
+}
+
+#[test]
+fn what_follows_but_for_a_factor_of_a_premise_is_conditional() {
+    let premises = [
+        ("e", r"\beta S I - \gamma I = 0"),
+        ("f", r"I (\beta S - \gamma) = 0"),
+        ("g", "x y = x z"),
+        ("h", "x y = 0"),
+        ("i", "x^2 = x"),
+    ];
+    verdicts_of(
+        "parameters = ['\\beta', 'S', 'I', '\\gamma', 'x', 'y', 'z']",
+        &premises,
+        &[
+            ("'e'", r"S = \frac{\gamma}{\beta}", Verdict::Conditional),
+            ("'f'", r"S = \frac{\gamma}{\beta}", Verdict::Conditional),
+            ("'g'", "y = z", Verdict::Conditional),
+            ("'g'", "y = 2 z", Verdict::Refuted),
+            // a product of one term, and a point at which the claim holds nowhere
+            ("'h'", "y = 0", Verdict::Refuted),
+            ("'i'", "x = 1", Verdict::Refuted),
+        ],
+    );
 }

@@ -315,6 +315,21 @@ impl Sheet {
         }
     }
 
+    /// Returns the sheet in which the index of the claim at a position runs, and this reading in words, where the claim is on
+    /// a step that no premise is about and a premise is about another one. Beside times the index is one impact.
+    pub fn at_each_index(&self, position: usize) -> Option<(Sheet, String)> {
+        if self.symbols.times().next().is_some() {
+            return None;
+        }
+        let claim = self.entries.get(position).filter(|entry| entry.unread.is_none())?;
+        let kind = self.one_step(claim, &self.below(claim))?;
+        let mut sheet = self.clone();
+        sheet
+            .symbols
+            .declare(Name::plain(&self.symbols.index), texmath::Meaning::Index);
+        Some((sheet, kind.other()?))
+    }
+
     /// The other readings of a place, where all are known.
     fn readings(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> Vec<Reading> {
         let (of, inside) = match kind {

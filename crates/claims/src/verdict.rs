@@ -13,6 +13,9 @@ pub enum Verdict {
     /// It does not: the kernel accepts a point at which the premises hold and the claim fails, or the claim is nowhere
     /// defined.
     Refuted,
+    /// It does but where a factor of each term of a premise is 0: there the kernel accepts a point at which it fails and one at
+    /// which it holds. An author divided by the factor.
+    Conditional,
     /// Neither was found within the limits. Never a pass, and never to be expected.
     #[serde(skip)]
     Undecided,
@@ -32,6 +35,7 @@ impl fmt::Display for Verdict {
         f.pad(match self {
             Self::Proved => "proved",
             Self::Refuted => "refuted",
+            Self::Conditional => "conditional",
             Self::Undecided => "undecided",
             Self::Unread => "unread",
             Self::Given => "given",

@@ -276,17 +276,13 @@ impl Witness<'_> {
         };
         if self.verdict != Verdict::Proved && !search.found.is_empty() && agrees(&search) {
             let pieces = self.system.has_pieces();
-            let many = if self.verdict == Verdict::Refuted && pieces {
-                MANY_PIECES
-            } else {
-                MANY
-            };
+            let many = if self.fails() && pieces { MANY_PIECES } else { MANY };
             self.look::<N>(&mut search, many, 1);
         }
         if !search.found.is_empty() && agrees(&search) {
             match self.verdict {
                 Verdict::Proved => self.probe::<N>(&mut search),
-                Verdict::Refuted => self.look_at_point::<N>(&mut search),
+                Verdict::Refuted | Verdict::Conditional => self.look_at_point::<N>(&mut search),
                 _ => {}
             }
             self.look_closer::<N>(&mut search);
@@ -305,7 +301,7 @@ impl Witness<'_> {
         let mut evidence = self.summary::<N>(&search.found);
         match self.verdict {
             Verdict::Proved => self.against_proof::<N>(&search.found, &mut evidence),
-            Verdict::Refuted if agrees(&search) => self.against_refutation::<N>(&search.found, &mut evidence),
+            _ if self.fails() && agrees(&search) => self.against_refutation::<N>(&search.found, &mut evidence),
             Verdict::Refuted => {
                 if self.holds_for_cosine::<N>() {
                     let note =
@@ -562,6 +558,11 @@ impl Witness<'_> {
                     .push("few digits in f64 at one point, which could not be refined".to_string()),
             }
         }
+    }
+
+    /// Returns true if the verdict shows a point at which the claim fails.
+    fn fails(&self) -> bool {
+        matches!(self.verdict, Verdict::Refuted | Verdict::Conditional)
     }
 
     /// What agreement at all points means for a refutation.

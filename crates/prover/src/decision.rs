@@ -25,6 +25,8 @@ pub struct Decision {
     pub rules: Rules,
     /// The meanings that were taken wherever its notation, or that of what it rests on, has more than one.
     pub readings: Vec<String>,
+    /// Whether this is of the sheet in which premises that take one index to the next hold at each.
+    pub at_each_index: bool,
     /// The equation that was not proved, of the several that a label may have.
     pub failed: Option<Equation>,
     /// The file that the formula stands in, where it is one that the document includes.
@@ -37,6 +39,8 @@ pub struct Decision {
     pub fails: bool,
     /// A verdict that waits until second values of letters are proved: else they may be new meanings.
     pub(super) waiting: Option<Waiting>,
+    /// What must not be 0 for a claim to follow that fails at some points at which it is 0, and holds at others.
+    pub(super) exception: Option<Equation>,
     /// The other meanings that its premises may have, where they bear on the verdict.
     pub(super) doubts: Vec<DoubtKind>,
     /// Line and column in the file: of what cannot be read, else of the formula.
@@ -97,7 +101,7 @@ impl Decision {
 
     /// The rules that a verdict rests on; none of a claim that is open.
     pub fn reductions(&self) -> String {
-        let is_decided = matches!(self.verdict, Verdict::Proved | Verdict::Refuted);
+        let is_decided = matches!(self.verdict, Verdict::Proved | Verdict::Refuted | Verdict::Conditional);
         let rules = self.rules.iter().filter(|_| is_decided).map(ToString::to_string);
         rules.collect::<Vec<_>>().join("; ")
     }
@@ -145,6 +149,8 @@ impl Decision {
             point: Vec::new(),
             is_vacuous: false,
             fails: false,
+            at_each_index: false,
+            exception: None,
             waiting: None,
             place: entry.map(|entry| entry.tex.place()),
         }
@@ -165,6 +171,15 @@ impl Decision {
         let (guesses, others): (Vec<&DoubtKind>, Vec<&DoubtKind>) =
             doubts.iter().partition(|kind| matches!(kind, DoubtKind::Guess(_)));
         let joined = |kinds: &[&DoubtKind]| kinds.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+        let is_binding = |kind: &DoubtKind| !kind.spares_proofs() && !matches!(kind, DoubtKind::Factor { .. });
+        if self.verdict == Verdict::Refuted
+            && let Some(condition) = self.exception.take().filter(|_| !doubts.iter().any(is_binding))
+        {
+            self.verdict = Verdict::Conditional;
+            self.reason = format!("follows but for values at which {} = 0", condition.left);
+            self.provide([condition.to_string()]);
+            return self;
+        }
         let is_refuted = self.verdict == Verdict::Refuted;
         let binding: Vec<&DoubtKind> = match self.verdict {
             Verdict::Refuted => others,

@@ -1,57 +1,160 @@
 //! Divisions that authors do not mention.
 
 use super::{Outcome, outcome, proof};
-use claims::{Goal, divisors};
+use claims::{Goal, Premise, Question, divisors};
+use kernel::Statement;
 use numbers::{Field, Rational};
 use texmath::{Condition, DoubtKind, Equation, Relation, Tree, any};
 
 /// Steps of the search for a proof that a claim follows after a division.
 const FEW_STEPS: u64 = 200_000;
 
-/// Returns the doubt of a refuted claim that follows where a premise can be solved for what the claim speaks of: what the
-/// premise is divided by then is 0 at the counterexample.
-pub(super) fn doubt(goal: &Goal, question: &claims::Question, effort: u64) -> Option<DoubtKind> {
-    let divisors = divisors(goal);
-    let within = |divisors: &[(String, Tree)]| {
-        let mut within = goal.statements.clone();
-        within.assume.extend(divisors.iter().map(|(_, divisor)| {
-            Condition::Relation(Equation {
-                relation: Relation::NotEqual,
-                ..Equation::between(divisor.clone(), Tree::Number(Rational::from_integer(0)))
-            })
-        }));
-        let questions = claims::questions(&within, &goal.symbols).ok()?;
+/// What a refuted claim comes to where its premises can be solved for what it speaks of: what a premise is divided by then is
+/// 0 at the counterexample.
+pub(super) struct Division {
+    /// That the author may have meant to divide.
+    pub(super) doubt: DoubtKind,
+    /// What must not be 0 for the claim to follow, where it fails at some points at which this is 0, and holds at others.
+    pub(super) condition: Option<Equation>,
+}
+
+impl Division {
+    pub(super) fn of(goal: &Goal, question: &Question, effort: u64) -> Option<Self> {
+        let divisors = divisors(goal);
+        let search = Search { goal, question, effort };
+        let (premise, factor) = match !divisors.is_empty() && search.follows(&divisors) {
+            true => {
+                let alone = divisors
+                    .iter()
+                    .find(|divisor| search.follows(std::slice::from_ref(*divisor)));
+                alone.or(divisors.first())?
+            }
+            false => divisors.iter().find(|divisor| search.is_open(divisor))?,
+        };
+        let mut conditions = divisors.iter().flat_map(|(label, divisor)| {
+            let mut premises = goal.statements.premises.iter();
+            let premise = premises.find(|premise| premise.label == *label);
+            let factors = factors(divisor).into_iter();
+            factors.filter(move |factor| premise.is_some_and(|premise| is_factor(factor, &premise.equation)))
+        });
+        let found = conditions.find(|factor| search.is_exception(factor));
+        Some(Self {
+            doubt: DoubtKind::Factor {
+                factor: factor.to_string(),
+                premise: premise.clone(),
+            },
+            condition: found.map(|factor| relation(factor, Relation::NotEqual)),
+        })
+    }
+}
+
+fn relation(to_zero: &Tree, relation: Relation) -> Equation {
+    Equation {
+        relation,
+        ..Equation::between(to_zero.clone(), Tree::Number(Rational::from_integer(0)))
+    }
+}
+
+struct Search<'a> {
+    goal: &'a Goal,
+    question: &'a Question,
+    effort: u64,
+}
+
+impl Search<'_> {
+    /// The question under more conditions.
+    fn under(&self, conditions: impl IntoIterator<Item = Equation>) -> Option<Statement> {
+        let mut statements = self.goal.statements.clone();
+        let conditions = conditions.into_iter().map(Condition::Relation);
+        statements.assume.extend(conditions);
+        let questions = claims::questions(&statements, &self.goal.symbols).ok()?;
         let is_same =
-            |other: &claims::Question| other.equation == question.equation && other.instance == question.instance;
+            |other: &Question| other.equation == self.question.equation && other.instance == self.question.instance;
         questions.into_iter().find(is_same).map(|question| question.statement)
-    };
-    let is_quick = |statement: &kernel::Statement| proof::search(statement, FEW_STEPS).is_some();
-    let is_proved = |statement: &kernel::Statement| matches!(outcome(statement, effort), Outcome::Proved(..));
-    let follows = |divisors: &[(String, Tree)]| {
-        within(divisors).is_some_and(|statement| is_quick(&statement) && is_proved(&statement))
-    };
-    // a law holds at other times than that at which its divisor is not 0
-    let runs = |divisor: &Tree| {
-        let time = goal.symbols.running();
-        any(
-            divisor,
-            &mut |node| matches!(node, Tree::Symbol(name, _) if Some(name) == time),
-        )
-    };
-    let is_open = |divisor: &(String, Tree)| {
-        let statement = || within(std::slice::from_ref(divisor));
-        let is_undecided = |statement| matches!(outcome(&statement, effort), Outcome::Undecided(_));
-        runs(&divisor.1) && statement().is_some_and(is_undecided)
-    };
-    let (premise, factor) = match !divisors.is_empty() && follows(&divisors) {
-        true => {
-            let alone = divisors.iter().find(|divisor| follows(std::slice::from_ref(*divisor)));
-            alone.or(divisors.first())?
-        }
-        false => divisors.iter().find(|divisor| is_open(divisor))?,
-    };
-    Some(DoubtKind::Factor {
-        factor: factor.to_string(),
-        premise: premise.clone(),
-    })
+    }
+
+    fn without(&self, divisors: &[(String, Tree)]) -> Option<Statement> {
+        let conditions = divisors
+            .iter()
+            .map(|(_, divisor)| relation(divisor, Relation::NotEqual));
+        self.under(conditions)
+    }
+
+    fn follows(&self, divisors: &[(String, Tree)]) -> bool {
+        self.without(divisors)
+            .is_some_and(|statement| proof::search(&statement, FEW_STEPS).is_some() && self.is_proved(&statement))
+    }
+
+    fn is_proved(&self, statement: &Statement) -> bool {
+        matches!(outcome(statement, self.effort), Outcome::Proved(..))
+    }
+
+    /// Returns true if a law that is divided holds at other times than that at which its divisor is not 0.
+    fn is_open(&self, divisor: &(String, Tree)) -> bool {
+        let time = self.goal.symbols.running();
+        let is_time = |node: &Tree| matches!(node, Tree::Symbol(name, _) if Some(name) == time);
+        let is_undecided = |statement| matches!(outcome(&statement, self.effort), Outcome::Undecided(_));
+        any(&divisor.1, &mut |node| is_time(node))
+            && self.without(std::slice::from_ref(divisor)).is_some_and(is_undecided)
+    }
+
+    /// Returns true if the claim follows where a factor is not 0, fails at a point at which it is 0, and holds at another one.
+    fn is_exception(&self, factor: &Tree) -> bool {
+        let vanishes = || relation(factor, Relation::Equal);
+        let follows = self.under([relation(factor, Relation::NotEqual)]);
+        let fails = self.under([vanishes()]);
+        let mut holding = self.goal.clone();
+        let premises = holding.statements.claims.drain(..);
+        let premises: Vec<Premise> = premises.map(|claim| Premise::known("", claim)).collect();
+        holding.statements.premises.extend(premises);
+        holding.statements.claims.push(vanishes());
+        holding.statements.assume.push(Condition::Relation(vanishes()));
+        let is_proved = |statement: &Statement| self.is_proved(statement);
+        let holds = || {
+            let questions = claims::questions(&holding.statements, &holding.symbols).unwrap_or_default();
+            !questions.is_empty() && questions.iter().all(|question| is_proved(&question.statement))
+        };
+        follows.as_ref().is_some_and(is_proved)
+            && fails.is_some_and(|statement| matches!(outcome(&statement, self.effort), Outcome::Refuted(..)))
+            && holds()
+    }
+}
+
+/// The letters and values of functions that are factors of a tree.
+fn factors(tree: &Tree) -> Vec<&Tree> {
+    match tree {
+        Tree::Product(parts) => parts.iter().flat_map(factors).collect(),
+        Tree::Negate(inner) | Tree::Power(inner, 1.., _) => factors(inner),
+        Tree::Symbol(..) | Tree::Call(..) => vec![tree],
+        _ => Vec::new(),
+    }
+}
+
+/// Returns true if each of the terms of an equation, of which it has two at least, has a factor.
+fn is_factor(factor: &Tree, equation: &Equation) -> bool {
+    let sides = [&equation.left, &equation.right];
+    let count: usize = sides.iter().map(|side| terms(side)).sum();
+    count > 1 && sides.iter().all(|side| has_factor(side, factor))
+}
+
+fn has_factor(tree: &Tree, factor: &Tree) -> bool {
+    match tree {
+        tree if tree == factor => true,
+        Tree::Number(value) => value.0.is_zero(),
+        Tree::Product(parts) => parts.iter().any(|part| has_factor(part, factor)),
+        Tree::Sum(parts) => parts.iter().all(|part| has_factor(part, factor)),
+        Tree::Negate(inner) | Tree::Quotient(inner, ..) | Tree::Power(inner, 1.., _) => has_factor(inner, factor),
+        _ => false,
+    }
+}
+
+/// How many terms a tree has once it is multiplied out.
+fn terms(tree: &Tree) -> usize {
+    match tree {
+        Tree::Number(value) if value.0.is_zero() => 0,
+        Tree::Product(parts) => parts.iter().map(terms).product(),
+        Tree::Sum(parts) => parts.iter().map(terms).sum(),
+        Tree::Negate(inner) | Tree::Quotient(inner, ..) | Tree::Power(inner, 1.., _) => terms(inner),
+        _ => 1,
+    }
 }

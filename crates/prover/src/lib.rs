@@ -32,6 +32,7 @@ mod inverse;
 mod laws;
 mod logarithms;
 mod point;
+mod powers;
 mod print;
 mod proof;
 mod roots;
@@ -40,6 +41,8 @@ mod session;
 mod signs;
 mod values;
 mod words;
+
+use dividing::Division;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted, settle_second_values};
@@ -133,41 +136,47 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
 /// The result of the search for a claim.
 struct Searched {
     decision: Decision,
-    /// The sheet in which the claim follows from nothing, where that is what is decided.
-    by_itself: Option<Sheet>,
+    /// The sheet in which the claim is decided, where it is not the one that was given.
+    instead: Option<Sheet>,
     /// The questions that were met with what decides them, where they are asked for.
     kept: Vec<Decided>,
 }
 
-/// Decides the claim at a position in its readings; by itself where its premises leave it open: what holds so holds whatever they
-/// mean.
+/// Decides the claim at a position in its readings: of each index first where premises take one to the next, and by itself
+/// where its premises leave it open, since what holds so holds whatever they mean.
 fn search(sheet: &Sheet, position: usize, options: &Options, keep: bool) -> Searched {
     let run = |sheet: &Sheet| {
         let mut search = Search::of(sheet, position, options);
         search.kept = keep.then(Vec::new);
         (search.decide_readings(sheet, position), search.kept.unwrap_or_default())
     };
+    let proved_in = |instead: Sheet| {
+        let (decision, kept) = run(&instead);
+        let instead = Some(instead);
+        (decision.verdict == Verdict::Proved).then_some(Searched {
+            decision,
+            instead,
+            kept,
+        })
+    };
+    if let Some((mut searched, reading)) = sheet.at_each_index(position).and_then(|(instead, reading)| {
+        let searched = proved_in(instead)?;
+        Some((searched, reading))
+    }) {
+        searched.decision.readings.push(reading);
+        searched.decision.at_each_index = true;
+        return searched;
+    }
     let (decision, kept) = run(sheet);
     let by_itself = match decision.verdict {
         Verdict::Undecided if !decision.fails => sheet.resting_on_nothing(position),
         _ => None,
     };
-    if let Some(by_itself) = by_itself
-        && let (decision, kept) = run(&by_itself)
-        && decision.verdict == Verdict::Proved
-    {
-        let by_itself = Some(by_itself);
-        return Searched {
-            decision,
-            by_itself,
-            kept,
-        };
-    }
-    Searched {
+    by_itself.and_then(proved_in).unwrap_or(Searched {
         decision,
-        by_itself: None,
+        instead: None,
         kept,
-    }
+    })
 }
 
 /// Returns true if a claim follows from others.
@@ -210,7 +219,7 @@ pub(crate) fn proof_in_words(
     options: &Options,
 ) -> Option<(kernel::WordQuestion, kernel::WordProof)> {
     let searched = search(sheet, position, options, false);
-    let (decision, sheet) = (searched.decision, searched.by_itself.as_ref().unwrap_or(sheet));
+    let (decision, sheet) = (searched.decision, searched.instead.as_ref().unwrap_or(sheet));
     let is_one = decision.found() == Verdict::Proved && decision.rules.contains(&Rule::Words);
     let (question, found, _) = is_one.then(|| in_words(sheet, position)).flatten()?;
     Some((question, found))
@@ -435,7 +444,9 @@ impl<'a> Search<'a> {
             let known = self.known();
             let found = self.settled_otherwise(goal);
             if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
-                return found.in_part(&goal.part);
+                let mut found = found.in_part(&goal.part);
+                found.exception = None;
+                return found;
             }
             // what is necessary shows nothing where it holds
             self.forget(known);
@@ -466,9 +477,13 @@ impl<'a> Search<'a> {
                     break;
                 }
                 Verdict::Refuted | Verdict::Unread => {
-                    return found.in_part(&goal.part);
+                    let mut found = found.in_part(&goal.part);
+                    found.exception = found.exception.filter(|_| goals.sufficient.len() == 1);
+                    return found;
                 }
-                Verdict::Undecided | Verdict::Given | Verdict::Suspect => open = Some(found.in_part(&goal.part)),
+                Verdict::Undecided | Verdict::Conditional | Verdict::Given | Verdict::Suspect => {
+                    open = Some(found.in_part(&goal.part))
+                }
             }
         }
         match (vacuous, open) {
@@ -559,7 +574,7 @@ impl<'a> Search<'a> {
             }
         };
         decision.rules.clone_from(&goal.statements.rules);
-        let mut is_open = false;
+        let (mut is_open, count) = (false, questions.len());
         let mut proofs = Vec::new();
         for question in questions {
             let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, self.options.effort));
@@ -598,9 +613,10 @@ impl<'a> Search<'a> {
                         _ => "does not follow from its premises".into(),
                     };
                     decision.counterexample = counterexample::at(&witness, question.equation.relation);
-                    decision
-                        .doubts
-                        .extend(dividing::doubt(goal, &question, self.options.effort));
+                    if let Some(division) = Division::of(goal, &question, self.options.effort) {
+                        decision.doubts.push(division.doubt);
+                        decision.exception = division.condition.filter(|_| count == 1);
+                    }
                     self.keep(goal, question, Found::Refuted { witness });
                     break;
                 }

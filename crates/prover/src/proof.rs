@@ -5,6 +5,7 @@ use super::constants;
 use super::inverse;
 use super::laws::Usable;
 use super::logarithms;
+use super::powers;
 use super::roots;
 use super::session::Session;
 use super::values;
@@ -362,7 +363,6 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
             }
             Node::RealPower(base, exponent) => {
                 session.real_power(base, exponent);
-                integer_power(session, base, exponent);
             }
             Node::Symbol(_) if session.is_integer(term) => {
                 session.axiom("IntegerAtLeastOne", &[term]);
@@ -375,88 +375,7 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
             _ => {}
         }
     }
-    powers_of_one_base(session, met);
-}
-
-/// The furthest that two integer exponents of one base may be apart for x^(n + d) = x^n x^d to be brought in.
-const FURTHEST: i64 = 64;
-
-/// Integer powers of one base, by the lowest of those that are a number apart, or by one that is half of another.
-fn powers_of_one_base(session: &mut Session, met: &BTreeSet<Term>) {
-    let mut powers: Vec<(Term, Term, Term, Polynomial)> = Vec::new();
-    for &power in met {
-        if let Node::RealPower(base, exponent) = session.node(power)
-            && let Some(polynomial) = session.numerator_of_polynomial(exponent)
-            && session.checker.knows_polynomial(Property::Integer, &polynomial)
-        {
-            powers.push((power, base, exponent, polynomial));
-        }
-    }
-    for (power, base, _, exponent) in &powers {
-        let others = powers.iter().filter(|(other, same, ..)| other != power && same == base);
-        let apart = |other: &Polynomial| exponent.minus(other).as_constant().and_then(|apart| apart.to_integer());
-        let lower = others
-            .clone()
-            .filter_map(|(of, _, term, other)| Some((apart(other)?, *of, *term)));
-        // of two spellings of one exponent the first is the lower
-        let is_lower = |(apart, of, _): &(i64, Term, Term)| match apart {
-            0 => of < power,
-            apart => (1..=FURTHEST).contains(apart),
-        };
-        let lowest = lower
-            .filter(is_lower)
-            .max_by_key(|(apart, of, _)| (*apart, std::cmp::Reverse(*of)));
-        if let Some((apart, _, lowest)) = lowest {
-            let step = session.terms().integer(apart);
-            let parts = [lowest, step];
-            let is_new = session.checker.knows(Property::Nonzero, *base) != Ok(true);
-            if is_new && session.show_all(vec![(Property::Nonzero, *base)]).is_none() {
-                let _ = session.show_all(vec![(Property::NonNegative, lowest), (Property::NonNegative, step)]);
-            }
-            power_of_sum(session, *power, parts);
-            session.axiom("IntegerPower", &[*base, step, step]);
-            continue;
-        }
-        let mut halves = others.filter(|(_, _, _, other)| {
-            let rest = exponent.minus(other).minus(other);
-            rest.as_constant().is_some() && other.as_constant().is_none()
-        });
-        if let Some((_, _, half, _)) = halves.next() {
-            let rest = {
-                let whole = session.node(*power);
-                let Node::RealPower(_, whole) = whole else { continue };
-                session.terms().difference(whole, *half)
-            };
-            let parts = [*half, rest];
-            power_of_sum(session, *power, parts);
-        }
-    }
-}
-
-/// An integer power is the product of those to the parts of its exponent.
-fn power_of_sum(session: &mut Session, power: Term, [a, b]: [Term; 2]) {
-    if let Node::RealPower(base, exponent) = session.node(power) {
-        let terms = [base, exponent, a, b];
-        if session.axiom("PowerOfSum", &terms).is_none() {
-            session.axiom("NonzeroPowerOfSum", &terms);
-        }
-    }
-}
-
-/// Powers of -1 are cosines, those of products are products, for exponents that are integers.
-fn integer_power(session: &mut Session, base: Term, exponent: Term) {
-    if session.numerator_of_polynomial(base) == Some(Polynomial::integer(-1)) {
-        session.axiom("CosineOfHalfTurns", &[exponent]);
-    }
-    if let Node::Product(parts) = session.node(base)
-        && let Some((&first, rest)) = parts.split_first()
-    {
-        let rest = session.terms().product(rest.to_vec());
-        let terms = [base, first, rest, exponent];
-        if session.axiom("PowerOfProduct", &terms).is_none() {
-            session.axiom("NonzeroPowerOfProduct", &terms);
-        }
-    }
+    powers::relate(session, met);
 }
 
 /// Differentiates the equations of maps, where derivatives along them are spoken of.

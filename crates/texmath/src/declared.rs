@@ -2,7 +2,7 @@
 
 use super::layout::is_opaque;
 use super::nodes::{any, any_side};
-use super::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of};
+use super::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of, place_of};
 use super::{Name, Tree, nearest};
 use std::collections::{BTreeSet, HashSet};
 
@@ -99,7 +99,7 @@ impl Symbols {
     fn counts(&self, subscript: &str) -> bool {
         let runs = self.indices().next().is_some();
         index_of(subscript, &self.index).is_some()
-            || self.indices().any(|letter| index_of(subscript, &letter.base).is_some())
+            || self.indices().any(|letter| place_of(subscript, &letter.base).is_some())
             || (runs && subscript.parse::<u16>().is_ok())
     }
 

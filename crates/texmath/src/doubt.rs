@@ -235,6 +235,15 @@ impl DoubtKind {
         } = self.choice()?;
         Some(format!("{place}: {taken}"))
     }
+
+    /// The other meaning, said likewise.
+    pub fn other(&self) -> Option<String> {
+        let Choice {
+            place,
+            meanings: [_, other],
+        } = self.choice()?;
+        Some(format!("{place}: {other}"))
+    }
 }
 
 impl fmt::Display for DoubtKind {

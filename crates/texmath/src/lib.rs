@@ -107,5 +107,5 @@ pub use substitute::{
     flies, mapped, number_of, put_in, put_in_throughout, rewrite, rewrite_alone, rewrite_condition, rewrite_equation,
     runs, tree_runs,
 };
-pub use symbols::{Map, Meaning, Symbols, base_alone, index_of, is_constant, pair_of, subscript_of};
+pub use symbols::{Map, Meaning, Symbols, base_alone, index_of, is_constant, pair_of, place, place_of, subscript_of};
 pub use tree::{At, Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};

@@ -79,6 +79,31 @@ pub fn index_of(subscript: &str, letter: &str) -> Option<i32> {
     rest.parse().ok()
 }
 
+/// Returns the positive multiple of the index and the number that a subscript adds to it: 2 and 1 for `2n+1`.
+pub fn place_of(subscript: &str, letter: &str) -> Option<(i64, i64)> {
+    let is_digit = |character: char| character.is_ascii_digit();
+    let digits = subscript.len() - subscript.trim_start_matches(is_digit).len();
+    let (multiple, rest) = subscript.split_at_checked(digits)?;
+    let offset = index_of(rest, letter)?;
+    let multiple = match multiple {
+        "" => 1,
+        multiple => multiple.parse().ok().filter(|&multiple| multiple > 0)?,
+    };
+    Some((multiple, i64::from(offset)))
+}
+
+/// Returns the subscript of a multiple of the index and a number.
+pub fn place(multiple: i64, offset: i64, letter: &str) -> String {
+    let running = match multiple {
+        1 => letter.to_owned(),
+        multiple => format!("{multiple}{letter}"),
+    };
+    match offset {
+        0 => running,
+        offset => format!("{running}{offset:+}"),
+    }
+}
+
 /// Returns the subscript of impact number `index`.
 pub fn subscript_of(index: i32, letter: &str) -> String {
     if index == 0 {

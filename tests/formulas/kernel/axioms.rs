@@ -171,6 +171,19 @@ fn cases() -> Vec<Case> {
             let exponent = own.terms_mut().sum(vec![n, m]);
             power_of_sum(power(own, x, exponent), [n, m], own)
         });
+        add(complex, &[r"x \neq 0"], free, |own| {
+            let (x, n, m) = (of(own, "x"), of(own, "n"), of(own, "m"));
+            let product = own.terms_mut().product(vec![m, n]);
+            axiom("PowerOfPower", &[x, product, n, m])
+        });
+        add(complex, &[r"x \neq 0"], free, |own| {
+            let (x, n) = (of(own, "x"), of(own, "n"));
+            axiom("PowerNonzero", &[x, n])
+        });
+        add(complex, &[], free, |own| {
+            let (one, y) = (own.terms_mut().integer(1), of(own, "y"));
+            axiom("PowerOfOne", &[one, y])
+        });
         add(complex, &[], free, |own| {
             let (x, three) = (of(own, "x"), own.terms_mut().integer(3));
             integer_power(power(own, x, three), 3, own)
@@ -311,7 +324,8 @@ fn holds(property: Property, found: &Value, scale: &astro_float::BigFloat) -> bo
     .is_nothing(scale);
     match property {
         Property::Zero => found.is_nothing(scale),
-        Property::Nonzero => !found.is_nothing(scale),
+        // powers of small numbers are far smaller than 1, and known to 150 digits
+        Property::Nonzero => !found.is_nothing(&Value::number(1e-60).re),
         Property::Positive => is_real && found.is_positive() && !found.is_nothing(scale),
         Property::NonNegative => is_real && (found.is_positive() || found.is_nothing(scale)),
         Property::Integer => is_real && found.is_integer(),

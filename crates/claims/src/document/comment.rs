@@ -162,8 +162,9 @@ fn verdict(word: &str) -> Result<Verdict, String> {
     match word {
         "proved" => Ok(Verdict::Proved),
         "refuted" => Ok(Verdict::Refuted),
+        "conditional" => Ok(Verdict::Conditional),
         "unread" => Ok(Verdict::Unread),
-        _ => Err(format!("`expect {word}`: proved, refuted or unread is")),
+        _ => Err(format!("`expect {word}`: proved, refuted, conditional or unread is")),
     }
 }
 

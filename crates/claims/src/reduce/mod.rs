@@ -29,6 +29,8 @@ mod ranges;
 mod recurrence;
 mod roots;
 mod rule;
+mod running;
+mod sequences;
 mod series;
 mod telescope;
 mod thin;
@@ -137,6 +139,10 @@ pub fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Option<Redu
 
 /// What a claim with operations comes to, of real or of complex numbers.
 fn without_operations(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+    let setting = || sequences::Setting::of(statements, symbols).ok();
+    if sequences::is_spoken_of(statements, symbols) && setting().is_some_and(|own| own.has_multiples(statements)) {
+        return of_sequences(&written_out(statements, symbols)?, symbols).map(Some);
+    }
     if !trees(statements).into_iter().any(|tree| has_operation(tree, symbols)) {
         return Ok(None);
     }
@@ -226,10 +232,10 @@ pub fn reduced_by_cases(statements: &Statements, symbols: &Symbols) -> Option<Re
 /// What a claim without operations about members of a sequence comes to, by the recurrence that gives it.
 pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
     let written = written_out(statements, symbols).ok()?;
-    if !recurrence::is_spoken_of(&written, symbols) {
+    if !sequences::is_spoken_of(&written, symbols) {
         return None;
     }
-    let reduced = recurrence::reduced(&written, symbols);
+    let reduced = of_sequences(&written, symbols);
     Some(reduced.unwrap_or_else(|reason| Reduced {
         lemmas: Vec::new(),
         sufficient: Vec::new(),
@@ -239,13 +245,19 @@ pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Re
     }))
 }
 
+/// What a claim about members of sequences comes to: by the recurrence that gives one, or by the premises at each index.
+fn of_sequences(statements: &Statements, symbols: &Symbols) -> Result<Reduced, String> {
+    let setting = sequences::Setting::of(statements, symbols)?;
+    recurrence::reduced(statements, &setting).or_else(|why| running::reduced(statements, &setting).map_err(|_| why))
+}
+
 /// What a claim with definite integrals, or with sums and products of symbolic length, comes to.
 fn over_an_index(statements: &Statements, symbols: &Symbols, reason: String) -> Result<Reduced, String> {
     if let Some(found) = integral::by_antiderivatives(statements, symbols)? {
         return Ok(found);
     }
-    if recurrence::is_spoken_of(statements, symbols) {
-        return recurrence::reduced(statements, symbols);
+    if sequences::is_spoken_of(statements, symbols) {
+        return of_sequences(statements, symbols);
     }
     let necessary = instances::of(statements, symbols);
     let (sufficient, why) = match induction::goals(statements, symbols) {

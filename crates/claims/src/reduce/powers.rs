@@ -1,6 +1,8 @@
-//! Powers whose exponents are no numbers, at positive bases: what such a power is at 0 hangs on the sign of its exponent.
+//! Powers whose exponents are no numbers, at positive bases, or at bases that are not 0 where the exponents are integers: what such
+//! a power is at 0 hangs on the sign of its exponent.
 
 use super::build::integer;
+use super::cases::is_absolute;
 use super::{Reduced, Rule, trees};
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, names_in, number_of, speaks_of};
@@ -28,36 +30,57 @@ pub fn at_positive_bases(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
                 return None;
             }
             any(tree, &mut |node| {
-                let own = positive_base(node, &goal.symbols, &is_whole);
-                found.extend(own.filter(|own| !found.contains(own) && !is_assumed(own)));
+                conditions(node, &goal.symbols, &is_whole, &mut found);
                 false
             });
         }
+        found.retain(|own| !is_assumed(own));
         for condition in found {
             let printed = condition.to_string();
             if !provided.contains(&printed) {
                 provided.push(printed);
             }
+            statements.rules.insert(match condition.relation {
+                Relation::NotEqual => Rule::NonzeroBases,
+                _ => Rule::PositiveBases,
+            });
             statements.assume.push(Condition::Relation(condition));
-            statements.rules.insert(Rule::PositiveBases);
         }
     }
     (!provided.is_empty()).then_some((further, provided))
 }
 
-/// That the base of a power is positive, where it must not be negative and nothing else is known of its sign.
-fn positive_base(node: &Tree, symbols: &Symbols, is_whole: &dyn Fn(&Name) -> bool) -> Option<Equation> {
+/// That the base of a power is positive, or that the factors of the base are not 0 where the exponent is an integer, and nothing
+/// else is known of their signs.
+fn conditions(node: &Tree, symbols: &Symbols, is_whole: &dyn Fn(&Name) -> bool, found: &mut Vec<Equation>) {
     let Tree::RealPower(base, exponent, _) = node else {
-        return None;
-    };
-    let is_known = match &**base {
-        Tree::Symbol(name, _) => symbols.is_positive(name) || (*name == Name::plain("e") && !symbols.declares(name)),
-        base => number_of(base).is_some(),
+        return;
     };
     let mut names = BTreeSet::new();
     names_in(exponent, &mut names);
-    (!is_known && !names.iter().all(is_whole)).then(|| Equation {
-        relation: Relation::Greater,
-        ..Equation::between((**base).clone(), integer(0))
-    })
+    let is_positive = |name: &Name| symbols.is_positive(name) || (*name == Name::plain("e") && !symbols.declares(name));
+    let condition = |of: &Tree, relation: Relation| Equation {
+        relation,
+        ..Equation::between(of.clone(), integer(0))
+    };
+    if names.iter().all(is_whole) {
+        let is_known = |name: &Name| symbols.is_nonzero(name) || is_positive(name);
+        let factors = factors_of(base).into_iter();
+        let unknown = factors.filter(|factor| !matches!(factor, Tree::Symbol(name, _) if is_known(name)));
+        found.extend(unknown.map(|factor| condition(factor, Relation::NotEqual)));
+    } else if !matches!(&**base, Tree::Symbol(name, _) if is_positive(name)) && number_of(base).is_none() {
+        found.push(condition(base, Relation::Greater));
+    }
+}
+
+/// The factors, each no number, that must not be 0 for a product not to be.
+fn factors_of(tree: &Tree) -> Vec<&Tree> {
+    match tree {
+        Tree::Product(factors) => factors.iter().flat_map(factors_of).collect(),
+        Tree::Quotient(above, below, _) => [above, below].into_iter().flat_map(|part| factors_of(part)).collect(),
+        Tree::Negate(inner) | Tree::Power(inner, ..) | Tree::RealPower(inner, ..) => factors_of(inner),
+        Tree::Call(_, inner, _) if is_absolute(tree) => factors_of(inner),
+        tree if number_of(tree).is_some() => Vec::new(),
+        tree => vec![tree],
+    }
 }

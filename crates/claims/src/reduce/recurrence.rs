@@ -14,12 +14,13 @@ use super::derivative::mentions;
 use super::evaluate::{at_index, only_factorials};
 use super::induction::{self, Moving};
 use super::instances::{self, relation_holds};
+use super::sequences::{Setting, runs_by_member};
 use super::series::is_zero;
-use super::{Goal, Reduced, Rule, defined, factorial, rewritten, trees};
+use super::{Goal, Reduced, Rule, defined, rewritten, trees};
 use std::collections::BTreeSet;
 use texmath::{
-    Condition, Equation, Meaning, Name, Operation, Relation, Symbols, Tree, any, holds, index_of, mapped, number_of,
-    rewrite, subscript_of,
+    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, holds, index_of, mapped, number_of, rewrite,
+    subscript_of,
 };
 
 /// The most members that are written out, and the most indices at which a claim is tried.
@@ -28,22 +29,12 @@ const MOST_TRIED: i64 = 5;
 /// The highest order of a recurrence.
 const HIGHEST_ORDER: i64 = 4;
 
-/// Whether a claim speaks of members of a sequence.
-pub(super) fn is_spoken_of(statements: &Statements, symbols: &Symbols) -> bool {
-    let is_member = |node: &Tree| match node {
-        Tree::Symbol(name, _) => symbols.is_state(&name.bare()),
-        _ => false,
-    };
-    let mut sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
-    symbols.indices().next().is_some() && sides.any(|side| any(side, &mut |node| is_member(node)))
-}
-
 /// What a claim about a sequence comes to.
 ///
 /// # Errors
 /// Why the premises give no sequence that is followed here.
-pub(super) fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Reduced, String> {
-    let sequence = Sequence::of(statements, symbols)?;
+pub(super) fn reduced(statements: &Statements, setting: &Setting) -> Result<Reduced, String> {
+    let sequence = Sequence::of(statements, setting)?;
     let (sufficient, reason) = match sequence.induction() {
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),
@@ -67,12 +58,10 @@ pub(super) fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Redu
 
 /// A claim about one sequence, and the recurrence that gives it.
 struct Sequence<'a> {
-    symbols: &'a Symbols,
-    /// The symbol table in which the index is an integer and members are parameters.
-    plain: Symbols,
-    /// The letter of the index, and the name of the sequence.
-    letter: Name,
-    state: Name,
+    setting: &'a Setting,
+    plain: &'a Symbols,
+    letter: &'a Name,
+    state: &'a Name,
     /// All that is said but the recurrence.
     rest: Statements,
     law: Premise,
@@ -94,54 +83,18 @@ struct Members {
 }
 
 impl<'a> Sequence<'a> {
-    fn of(statements: &Statements, symbols: &'a Symbols) -> Result<Self, String> {
-        let mut indices = symbols.indices();
-        let (Some(letter), None) = (indices.next(), indices.next()) else {
-            return Err("more than one index runs".to_owned());
+    fn of(statements: &Statements, setting: &'a Setting) -> Result<Self, String> {
+        let Setting { plain, letter, states } = setting;
+        let mut states = states.iter();
+        let (Some(state), None) = (states.next(), states.next()) else {
+            return Err("more than one sequence is spoken of".to_owned());
         };
-        let is_tied = !(symbols.relations.is_empty() && symbols.laws.is_empty());
-        if is_tied || letter.to_string() != symbols.index {
-            return Err("a recurrence beside relations or laws has no induction here".to_owned());
+        if setting.has_multiples(statements) {
+            return Err("members at multiples of the index have no induction here".to_owned());
         }
-        let all = trees(statements);
-        if all.iter().any(|tree| symbols.may_be_complex(tree)) {
-            return Err("sequences of complex numbers have no induction here".to_owned());
-        }
-        let moves = |node: &Tree| match node {
-            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-                let is_time = symbols.is_time(&name.bare()) || symbols.running() == Some(name);
-                is_time || symbols.is_function(name) || symbols.maps().any(|(map, _)| map == name)
-            }
-            _ => false,
-        };
-        if all.iter().any(|tree| any(tree, &mut |node| moves(node))) {
-            return Err("a recurrence beside times, functions or maps has no induction here".to_owned());
-        }
-        if all.iter().any(|tree| any(tree, &mut |node| is_strange(node, letter))) {
-            return Err(format!("{letter} is bound, or signs are left open"));
-        }
-        let state = the_state(&all, symbols, letter)?;
-        let listed = [
-            Meaning::Positive,
-            Meaning::Nonnegative,
-            Meaning::Nonzero,
-            Meaning::AtMostOne,
-            Meaning::Integer,
-            Meaning::Generic,
-        ];
-        let runs_in_list = |name: &Name| name.bare() == state && index_of(&name.subscript, &letter.base).is_some();
-        if listed.iter().any(|kind| symbols.all(kind).any(runs_in_list)) {
-            return Err(format!("[symbols] says something of every member of {state}"));
-        }
-        let mut plain = symbols.clone();
-        plain.retain(|_, own| !matches!(own, Meaning::State | Meaning::Index | Meaning::Continuous));
-        plain.names.functions.clear();
-        plain.index = Symbols::default().index;
-        plain.let_be_parameter(letter, false);
-        plain.declare(letter.clone(), Meaning::Integer);
 
         let mut rest = statements.clone();
-        let runs = |tree: &Tree| runs(tree, &state, letter);
+        let runs = |tree: &Tree| setting.runs(tree);
         let is_law = |premise: &Premise| runs(&premise.equation.left) || runs(&premise.equation.right);
         let (mut laws, mut constant): (Vec<Premise>, Vec<Premise>) = rest.premises.drain(..).partition(is_law);
         let (Some(mut law), true) = (laws.pop(), laws.is_empty()) else {
@@ -157,7 +110,7 @@ impl<'a> Sequence<'a> {
             condition
                 .sides()
                 .into_iter()
-                .any(|side| runs_by_member(side, &state, letter))
+                .any(|side| runs_by_member(side, state, letter))
         };
         let conditions = statements
             .assume
@@ -172,16 +125,16 @@ impl<'a> Sequence<'a> {
             .assume
             .drain(..)
             .partition(|condition| condition.sides().into_iter().any(runs));
-        let least = induction::first_value(&own, &plain, letter)?;
+        let least = induction::first_value(&own, plain, letter)?;
         rest.premises = constant;
-        let first = induction::first_value(&statements.assume, &plain, letter)?;
+        let first = induction::first_value(&statements.assume, plain, letter)?;
 
-        let (lowest, highest, given) = solved(&law.equation, &state, letter)?;
+        let (lowest, highest, given) = solved(&law.equation, state, letter)?;
         law.equation = given;
         let mut sequence = Self {
-            symbols,
+            setting,
             plain,
-            letter: letter.clone(),
+            letter,
             state,
             rest,
             law,
@@ -208,7 +161,7 @@ impl<'a> Sequence<'a> {
         };
         let earliest = self.member(self.lowest);
         let factor = coefficient(&self.law.equation.right, &earliest).ok_or_else(refused)?;
-        let conditions = defined::conditions(&self.law.equation.right, &self.plain)?;
+        let conditions = defined::conditions(&self.law.equation.right, self.plain)?;
         let mut of_conditions = conditions
             .iter()
             .flat_map(|condition| [&condition.left, &condition.right]);
@@ -226,7 +179,7 @@ impl<'a> Sequence<'a> {
     }
 
     fn runs(&self, tree: &Tree) -> bool {
-        runs(tree, &self.state, &self.letter)
+        self.setting.runs(tree)
     }
 
     fn member(&self, offset: i64) -> Name {
@@ -243,7 +196,7 @@ impl<'a> Sequence<'a> {
     fn collect(&self, tree: &Tree, members: &mut Members) {
         any(tree, &mut |node| {
             if let Tree::Symbol(name, _) = node
-                && name.bare() == self.state
+                && name.bare() == *self.state
             {
                 match index_of(&name.subscript, &self.letter.base) {
                     Some(offset) => members.running.insert(i64::from(offset)),
@@ -265,10 +218,10 @@ impl<'a> Sequence<'a> {
     /// A formula with the index moved on.
     fn shifted(&self, tree: &Tree, by: i64) -> Tree {
         rewrite(tree, &|name| {
-            if *name == self.letter {
+            if name == self.letter {
                 return Some(sum(vec![symbol(name), integer(by)]));
             }
-            let offset = index_of(&name.subscript, &self.letter.base).filter(|_| name.bare() == self.state)?;
+            let offset = index_of(&name.subscript, &self.letter.base).filter(|_| name.bare() == *self.state)?;
             Some(symbol(&self.member(i64::from(offset) + by)))
         })
     }
@@ -284,13 +237,13 @@ impl<'a> Sequence<'a> {
     /// All that is said but the recurrence, with the claim at an index; `None` where the claim is not made there.
     fn at(&self, index: i64) -> Result<Option<Statements>, String> {
         let numbered = rewritten(&self.rest, Rule::SequenceUnrolled, &|tree| {
-            at_index(tree, &self.letter, index)
+            at_index(tree, self.letter, index)
         });
         let admissible = self.first.is_none_or(|first| index >= first);
-        let Some(there) = instances::at(&numbered, &self.plain, &[]).filter(|_| admissible) else {
+        let Some(there) = instances::at(&numbered, self.plain, &[]).filter(|_| admissible) else {
             return Ok(None);
         };
-        only_factorials(&there, &self.plain).map(Some)
+        only_factorials(&there, self.plain).map(Some)
     }
 
     /// What must hold at numbers for the recurrence to have a value behind the last member that is met: where it has none
@@ -303,7 +256,7 @@ impl<'a> Sequence<'a> {
         if self.least.is_some_and(|least| index < least) {
             return Ok(Vec::new());
         }
-        let mut conditions = defined::conditions(&self.law_at(index)?.right, &self.plain)?;
+        let mut conditions = defined::conditions(&self.law_at(index)?.right, self.plain)?;
         conditions.retain(|condition| relation_holds(condition).is_none());
         Ok(conditions)
     }
@@ -313,8 +266,8 @@ impl<'a> Sequence<'a> {
         let mut alone = self.rest.clone();
         alone.premises.clear();
         alone.assume.clear();
-        alone.claims = vec![self.each(&self.law.equation, &|tree| at_index(tree, &self.letter, index))];
-        let there = instances::at(&alone, &self.plain, &[]);
+        alone.claims = vec![self.each(&self.law.equation, &|tree| at_index(tree, self.letter, index))];
+        let there = instances::at(&alone, self.plain, &[]);
         let equation = there.and_then(|there| there.claims.into_iter().next());
         equation.ok_or_else(|| "the recurrence cannot be read at a number".to_owned())
     }
@@ -367,39 +320,11 @@ impl<'a> Sequence<'a> {
                 let mut alone = context.clone();
                 let part = format!("{condition} in the recurrence");
                 alone.claims = vec![condition];
-                goals.push(self.goal(&alone, symbols, part)?);
+                goals.push(self.setting.goal_in(&alone, symbols, part)?);
             }
             context.premises.push(Premise::known(&self.law.label, equation));
         }
         Ok(context)
-    }
-
-    /// A claim about parameters: each member is one.
-    fn goal(&self, statements: &Statements, symbols: &Symbols, part: String) -> Result<Goal, String> {
-        let (statements, mut symbols) = factorial::as_quantities(&only_factorials(statements, symbols)?, symbols)?;
-        let mut names: BTreeSet<Name> = BTreeSet::new();
-        for tree in trees(&statements) {
-            any(tree, &mut |node| {
-                if let Tree::Symbol(name, _) = node
-                    && self.symbols.is_state(&name.bare())
-                    && !symbols.is_parameter(name)
-                {
-                    names.insert(name.clone());
-                }
-                false
-            });
-        }
-        let is_member = |name: &Name| {
-            let is_numbered = name.subscript.parse::<i64>().is_ok();
-            name.bare() == self.state && (is_numbered || index_of(&name.subscript, &self.letter.base).is_some())
-        };
-        if let Some(name) = names.iter().find(|name| !is_member(name)) {
-            return Err(format!("`{name}` is no member that is followed"));
-        }
-        for name in &names {
-            symbols.let_be_parameter(name, false);
-        }
-        Ok(Goal::of(&statements, &symbols, part))
     }
 
     /// The index at which an induction over all integers begins, or the trials of a claim.
@@ -419,21 +344,20 @@ impl<'a> Sequence<'a> {
             let next = self.next(&there).ok()?.into_iter();
             there.assume.extend(next.map(Condition::Relation));
             for equation in self.unrolled(&there).ok()? {
-                let mut conditions = defined::conditions(&equation.right, &self.plain).ok()?.into_iter();
+                let mut conditions = defined::conditions(&equation.right, self.plain).ok()?.into_iter();
                 // where it has no value, the recurrence says nothing
                 if !conditions.any(|condition| relation_holds(&condition) == Some(false)) {
                     there.premises.push(Premise::known(&self.law.label, equation));
                 }
             }
-            self.goal(&there, &self.plain, format!("{} = {index}", self.letter))
-                .ok()
+            self.setting.goal(&there, format!("{} = {index}", self.letter)).ok()
         });
         tried.collect()
     }
 
     fn induction(&self) -> Result<Vec<Goal>, String> {
         let condition = self.backwards.clone()?;
-        let letter = &self.letter;
+        let letter = self.letter;
         let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
         let has_series = self.rest.claims.iter().any(|claim| holds(claim, &is_series));
         let (order, start) = match has_series {
@@ -445,12 +369,12 @@ impl<'a> Sequence<'a> {
             let there = self.at(index)?.ok_or("the first value is not admissible")?;
             let part = format!("{letter} = {index}");
             let said = self.unrolled(&there)?;
-            let known = self.given(there.clone(), said, &self.plain, &mut goals)?;
-            goals.push(self.goal(&known, &self.plain, part.clone())?);
+            let known = self.given(there.clone(), said, self.plain, &mut goals)?;
+            goals.push(self.setting.goal(&known, part.clone())?);
             if let Some(condition) = &condition {
                 let mut known = known;
                 known.assume.push(Condition::Relation(condition.clone()));
-                goals.push(self.goal(&known, &self.plain, part)?);
+                goals.push(self.setting.goal(&known, part)?);
             }
         }
         let mut plain = self.plain.clone();
@@ -464,7 +388,7 @@ impl<'a> Sequence<'a> {
         for operation in found {
             let name = super::fresh(&self.rest, &plain, "S");
             plain.let_be_parameter(&name, false);
-            moving.push(induction::moved(&operation, letter, start, name, Some(&self.state))?);
+            moving.push(induction::moved(&operation, letter, start, name, Some(self.state))?);
         }
         let named = |tree: &Tree| mapped(tree, &|node| induction::name_of(node, &moving));
         let now = rewritten(&self.rest, Rule::SeriesInduction, &named);
@@ -480,7 +404,7 @@ impl<'a> Sequence<'a> {
             let mut alone = now.clone();
             let part = format!("{condition} at each {letter}");
             alone.claims = vec![condition];
-            goals.push(self.goal(&alone, &plain, part)?);
+            goals.push(self.setting.goal_in(&alone, &plain, part)?);
         }
         let up: Vec<i64> = (0..order).collect();
         self.step(&now, &moving, &up, order, &plain, &mut goals)?;
@@ -518,7 +442,7 @@ impl<'a> Sequence<'a> {
         let mut context = now.clone();
         context.claims = claims_at(to);
         for &offset in from {
-            let label = format!("the claim at {}", self.shifted(&symbol(&self.letter), offset));
+            let label = format!("the claim at {}", self.shifted(&symbol(self.letter), offset));
             let claims = claims_at(offset).into_iter();
             context
                 .premises
@@ -542,61 +466,8 @@ impl<'a> Sequence<'a> {
             0 => format!("the step back to {}", self.letter),
             to => format!("the step to {} + {to}", self.letter),
         };
-        goals.push(self.goal(&context, plain, part)?);
+        goals.push(self.setting.goal_in(&context, plain, part)?);
         Ok(())
-    }
-}
-
-/// Whether a formula speaks of the index or of members that run with it.
-fn runs(tree: &Tree, state: &Name, letter: &Name) -> bool {
-    mentions(tree, letter) || runs_by_member(tree, state, letter)
-}
-
-fn runs_by_member(tree: &Tree, state: &Name, letter: &Name) -> bool {
-    any(tree, &mut |node| match node {
-        Tree::Symbol(name, _) => name.bare() == *state && index_of(&name.subscript, &letter.base).is_some(),
-        _ => false,
-    })
-}
-
-/// Whether a node binds the index, or leaves a sign open.
-fn is_strange(node: &Tree, letter: &Name) -> bool {
-    match node {
-        Tree::Operation(operation, _) => operation.letter() == Some(letter),
-        Tree::PlusMinus(_) | Tree::MinusPlus(_) | Tree::Partial { .. } | Tree::Invariant { .. } => true,
-        _ => false,
-    }
-}
-
-/// The one sequence that is spoken of.
-fn the_state(all: &[&Tree], symbols: &Symbols, letter: &Name) -> Result<Name, String> {
-    let mut met: BTreeSet<Name> = BTreeSet::new();
-    let mut strange = None;
-    let is_base = |name: &Name| symbols.states().any(|state| state.base == name.base);
-    for tree in all {
-        any(tree, &mut |node| {
-            match node {
-                Tree::Symbol(name, _) if is_base(name) && !symbols.is_single(name) => {
-                    let is_plain = name.mark.is_empty() && name.primes == 0 && !name.subscript.is_empty();
-                    match is_plain && symbols.is_state(&name.bare()) {
-                        true => met.insert(name.bare()),
-                        false => strange.replace(name.clone()).is_none(),
-                    };
-                }
-                Tree::Call(name, ..) if is_base(name) => strange = Some(name.clone()),
-                _ => {}
-            }
-            false
-        });
-    }
-    if let Some(name) = strange {
-        return Err(format!("`{name}` is no member of a sequence in {letter}"));
-    }
-    let mut met = met.into_iter();
-    match (met.next(), met.next()) {
-        (Some(state), None) => Ok(state),
-        (Some(_), Some(_)) => Err("more than one sequence is spoken of".to_owned()),
-        _ => Err("no sequence is spoken of".to_owned()),
     }
 }
 

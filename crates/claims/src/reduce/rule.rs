@@ -40,6 +40,8 @@ pub enum Rule {
     SequenceInduction,
     /// Members of a sequence by the recurrence at numbers.
     SequenceUnrolled,
+    /// Premises about members of sequences at each index that a claim reaches.
+    SequenceInstances,
     /// Integers are replaced by numbers.
     IntegerInstances,
     /// Derivatives by the rules of differentiation.
@@ -66,6 +68,8 @@ pub enum Rule {
     InverseRange,
     /// The bases of powers whose exponents are no numbers are taken to be positive.
     PositiveBases,
+    /// The bases of powers whose exponents are integers are taken not to be 0.
+    NonzeroBases,
     /// Letters that need not commute, as matrices, by words.
     Words,
 }
@@ -117,6 +121,7 @@ impl fmt::Display for Rule {
             Self::SeriesTelescoping => "sum: telescoping",
             Self::SequenceInduction => "sequence: induction",
             Self::SequenceUnrolled => "sequence: unrolled",
+            Self::SequenceInstances => "sequence: instances",
             Self::IntegerInstances => "integers: instances",
             Self::DerivativeRules => "derivative: rules",
             Self::MatrixEntries => "matrix: entries",
@@ -130,6 +135,7 @@ impl fmt::Display for Rule {
             Self::InequalityDerivatives => "inequality: signs of derivatives",
             Self::InverseRange => "inverse: range",
             Self::PositiveBases => "powers: positive bases",
+            Self::NonzeroBases => "powers: nonzero bases",
             Self::Words => "words: any ring",
         })
     }
