@@ -38,7 +38,8 @@ pub struct Arguments {
     /// Write a copy of the input to FILE, with each first repair as a comment before its formula
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     repair_into: Option<std::path::PathBuf>,
-    /// Write each proof and counterexample into the new directory DIR, as a Python script that checks itself
+    /// Write each proof and counterexample into the new directory DIR, as a Python script that checks itself, or with
+    /// `--format json` as data with a checker and a schema
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
     proof: Option<std::path::PathBuf>,
     /// Do not fail on findings of an earlier run, written by `audit` as sarif, json or csv
@@ -262,7 +263,7 @@ impl Arguments {
         let proofs = self.proof.as_deref().map(NewDirectory::create).transpose()?;
         let rows = decide_sheet(&sheet, &name, &options, self.repair || mended.is_some())?;
         if let (Some(new), Some(directory)) = (proofs, &self.proof) {
-            write_proofs(&sheet, &rows, new, directory, &options)?;
+            write_proofs(&sheet, &rows, new, directory, &options, global.format)?;
         }
         if let Some(mended) = &mended {
             let text = with_repairs(source, &name, &text, &sheet, symbols, &rows)?;
@@ -300,24 +301,37 @@ fn tell_gone(all: &mut [(Audited, Option<Document>)], baseline: &Baseline, sourc
     Ok(())
 }
 
-/// Writes a script for each question that decides a row into a new directory.
+/// Writes a script, or data where the format is JSON, for each question that decides a row into a new directory.
 fn write_proofs(
     sheet: &Sheet,
     rows: &[Row],
     new: NewDirectory,
     directory: &Path,
     options: &prove::Options,
+    format: Format,
 ) -> Result<(), Failure> {
+    let is_data = format == Format::Json;
+    let (ending, what, how) = match is_data {
+        true => (
+            "json",
+            "files of proof data",
+            "python3 check.py *.json there checks them",
+        ),
+        false => ("py", "scripts", "run each with Python"),
+    };
     let is_decided = |row: &&Row| matches!(row.decision.verdict, Verdict::Proved | Verdict::Refuted);
     let rows: Vec<usize> = rows.iter().filter(is_decided).map(|row| row.position).collect();
     let names = prove::file_names(sheet, &rows);
     let token = Token::current();
     let write = |(position, name): (&usize, &String)| -> Result<usize, OutputError> {
-        let scripts = token.during(|| prove::scripts(sheet, *position, options));
+        let scripts = token.during(|| match is_data {
+            true => prove::proof_data(sheet, *position, options),
+            false => prove::scripts(sheet, *position, options),
+        });
         for (number, script) in (1..).zip(&scripts) {
             let name = match number {
-                1 => format!("{name}.py"),
-                _ => format!("{name}-{number}.py"),
+                1 => format!("{name}.{ending}"),
+                _ => format!("{name}-{number}.{ending}"),
             };
             new.write(&name, script.as_bytes())?;
         }
@@ -325,9 +339,13 @@ fn write_proofs(
     };
     let written: Result<Vec<usize>, OutputError> = rows.par_iter().zip(&names).map(write).collect();
     let count: usize = written?.into_iter().sum();
+    if is_data {
+        new.write("schema.json", prove::SCHEMA.as_bytes())?;
+        new.write("check.py", prove::CHECKER.as_bytes())?;
+    }
     new.finish()?;
     super::note(&format!(
-        "{count} scripts in {}: run each with Python, SymPy and mpmath",
+        "{count} {what} in {}: {how}, with SymPy and mpmath",
         directory.display()
     ));
     Ok(())

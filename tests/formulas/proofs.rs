@@ -5,10 +5,10 @@ use crate::common::sample;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use vibro_audit::claim::{EQUATIONS, Sheet, vocabulary};
+use vibro_audit::claim::{Document, EQUATIONS, Markup, Sheet, vocabulary};
 use vibro_audit::kernel::{Certificate, Inference, Polynomial, With, follows};
 use vibro_audit::number::{Field, Rational, Sequence};
-use vibro_audit::prove::{CHECKER, Decided, Found, Options, decided, file_names, scripts, sealed};
+use vibro_audit::prove::{CHECKER, Decided, Found, Options, SCHEMA, decided, file_names, proof_data, scripts, sealed};
 
 /// The Python that has the packages: that of $VIBRO_PYTHON, or the first in the path; none, and a word, without SymPy.
 fn python() -> Option<String> {
@@ -242,6 +242,96 @@ fn scripts_accept_what_the_kernel_accepts() {
         let output = Command::new(&python).arg(&path).output().unwrap();
         let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{}: {said}", path.display());
+    }
+}
+
+/// What the checker says of files of proof data, a line each, and whether it accepts them all.
+fn checked(python: &str, scratch: &Scratch, files: &[(String, String)]) -> (bool, Vec<String>) {
+    let checker = scratch.file("check.py", CHECKER.as_str());
+    let paths = files.iter().map(|(name, text)| scratch.file(name, text));
+    let output = Command::new(python).arg(&checker).args(paths).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    (output.status.success(), said.lines().map(str::to_owned).collect())
+}
+
+/// The proof data of the claims of a sheet, each with its place there.
+fn all_data(sheet: &Sheet) -> Vec<(String, String)> {
+    let claims = (0..sheet.entries.len()).filter(|&position| sheet.is_claim(position));
+    let data = |position: usize| {
+        let texts = proof_data(sheet, position, &Options::default()).into_iter().enumerate();
+        texts.map(move |(number, text)| (format!("{position}-{number}.json"), text))
+    };
+    claims.flat_map(data).collect()
+}
+
+#[test]
+fn proof_data_is_accepted_by_its_checker() {
+    let Some(python) = python() else { return };
+    let matrices = include_str!("../papers/matrices.tex");
+    let matrices = Document::read(matrices, Markup::Tex, &mut |_| Err(String::new()));
+    let matrices = matrices.sheet(&vocabulary().unwrap()).unwrap();
+    let mut files = all_data(&own());
+    files.extend(
+        all_data(&paper())
+            .into_iter()
+            .map(|(name, text)| (format!("p{name}"), text)),
+    );
+    files.extend(
+        all_data(&matrices)
+            .into_iter()
+            .map(|(name, text)| (format!("m{name}"), text)),
+    );
+    files.push(("schema.json".to_owned(), SCHEMA.to_owned()));
+    let (all, said) = checked(&python, &scratch("data"), &files);
+    assert!(all && said.len() > 25, "{}", said.join("\n"));
+}
+
+#[test]
+fn proof_data_that_is_cut_hostile_or_of_another_version_is_refused_with_its_place() {
+    let Some(python) = python() else { return };
+    let (_, whole) = all_data(&own())
+        .into_iter()
+        .find(|(_, text)| text.contains("\"zero\""))
+        .unwrap();
+    let put = |old: &str, new: &str| {
+        assert!(whole.contains(old), "{old}: {whole}");
+        whole.replacen(old, new, 1)
+    };
+    let digits = "9".repeat(10_000);
+    let cases = [
+        (whole[..whole.len() / 2].to_owned(), "JSONDecodeError"),
+        (String::new(), "JSONDecodeError"),
+        ("[]".to_owned(), "no proof data"),
+        (put("\"version\": 1", "\"version\": 2"), "version 2"),
+        (put("\"verdict\": \"proved\"", "\"verdict\": \"true\""), "data.verdict"),
+        (put("\"label\":", "\"label\": \"1\", \"label\":"), "twice"),
+        (put("\"complex\": 0", "\"complex\": true"), "data.complex"),
+        (put("\"complex\": 0", "\"more\": 0, \"complex\": 0"), "`more`"),
+        (put("\"steps\": [[\"", "\"steps\": [[\"__init__"), "data.proof.steps[0]"),
+        (
+            put("[\"number\", \"2\"]", &format!("[\"number\", \"{digits}\"]")),
+            "refused",
+        ),
+        (put("[\"number\", \"2\"]", "[\"number\", \"2/0\"]"), "divides by 0"),
+        (put("[\"number\", \"2\"]", "[\"power\", 0, 999999999]"), "out of range"),
+        (
+            put("\"steps\": [", "\"steps\": [[\"given\", 99999], "),
+            "step 1 (given)",
+        ),
+        (
+            format!("{}{}", "[".repeat(100_000), "]".repeat(100_000)),
+            "RecursionError",
+        ),
+    ];
+    let files = cases.iter().enumerate();
+    let files: Vec<(String, String)> = files
+        .map(|(n, (text, _))| (format!("{n}.json"), text.clone()))
+        .collect();
+    let (all, said) = checked(&python, &scratch("hostile"), &files);
+    assert!(!all && said.len() == cases.len(), "{}", said.join("\n"));
+    for (line, (_, words)) in said.iter().zip(&cases) {
+        assert!(line.contains(": refused: ") && line.contains(words), "{words}: {line}");
     }
 }
 

@@ -47,7 +47,7 @@ use dividing::Division;
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted, settle_second_values};
 pub use explanation::{Explanation, explain, formula};
-pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
+pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
     Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, at_positive_bases, other_ways, reduced,

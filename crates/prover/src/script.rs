@@ -13,7 +13,8 @@ use crate::checksum::Checksum;
 use claims::{Goal, Question, Sheet, Verdict};
 use kernel::{
     AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Letter, Node, Origin, Polynomial,
-    Property, Quantity, Statement, Summand, Symbol, Term, Terms, With, Witness, Word, WordMultiple, WordSource, Words,
+    Property, Quantity, Statement, Summand, Symbol, Term, Terms, With, Witness, Word, WordMultiple, WordProof,
+    WordQuestion, WordSource, Words,
 };
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
@@ -21,7 +22,17 @@ use std::sync::LazyLock;
 use texmath::Name;
 
 /// The checker, as each script contains it, with the table of axioms.
-pub static CHECKER: LazyLock<String> = LazyLock::new(|| include_str!("check.py").replace("@AXIOMS@", AXIOMS));
+static CORE: LazyLock<String> = LazyLock::new(|| include_str!("check.py").replace("@AXIOMS@", AXIOMS));
+
+/// The checker of proof data, a program that is given files: it needs Python with SymPy and mpmath, and nothing of this crate.
+pub static CHECKER: LazyLock<String> =
+    LazyLock::new(|| CORE.clone() + &include_str!("check_files.py").replace("@SCHEMA@", SCHEMA));
+
+/// The form of proof data, as a JSON Schema (draft 2020-12).
+pub const SCHEMA: &str = include_str!("proof.schema.json");
+
+/// The version of proof data, which changes where a checker must.
+const VERSION: u32 = 1;
 
 /// What was found for a question, and accepted by the kernel.
 #[derive(Clone, Debug)]
@@ -81,6 +92,20 @@ fn head(label: &str, printed: &str, verdict: &str) -> Vec<String> {
 fn script_of_words(sheet: &Sheet, position: usize, options: &Options) -> Option<String> {
     let (question, proof) = proof_in_words(sheet, position, options)?;
     let entry = sheet.entries.get(position)?;
+    let mut lines = head(&entry.label, &entry.tex.tex, "proved");
+    lines.push("# of letters that need not commute, as matrices: products keep their order. What is given are the formulas that it".into());
+    lines.push("# follows from, and that each inverse is one; that these say the formulas is trusted.".into());
+    let data = words_data(&question, &proof);
+    Some(sealed(&format!(
+        "{}\n\nDATA = {{{}}}\n\nREADINGS = None\n\n{}",
+        lines.join("\n"),
+        field("words", data),
+        *CORE
+    )))
+}
+
+/// What is claimed and given of letters that need not commute, with what proves it.
+fn words_data(question: &WordQuestion, proof: &WordProof) -> String {
     let word = |word: &Word| {
         let scalars = word
             .scalars
@@ -123,15 +148,42 @@ fn script_of_words(sheet: &Sheet, position: usize, options: &Options) -> Option<
         field("claim_lines", integers(proof.claims.iter())),
         field("point", format!("{{{}}}", point.collect::<Vec<_>>().join(", "))),
     ];
-    let mut lines = head(&entry.label, &entry.tex.tex, "proved");
-    lines.push("# of letters that need not commute, as matrices: products keep their order. What is given are the formulas that it".into());
-    lines.push("# follows from, and that each inverse is one; that these say the formulas is trusted.".into());
-    let checker = CHECKER.strip_suffix(SERVES).unwrap_or(&CHECKER);
-    let data = fields.join(",\n    ");
-    Some(sealed(&format!(
-        "{}\n\nDATA = {{\"words\": {{\n    {data},\n}}}}\n\nREADINGS = None\n\n{checker}",
-        lines.join("\n")
-    )))
+    format!("{{\n    {}\n}}", fields.join(",\n    "))
+}
+
+/// The claim at a position with what decides it, as JSON: one text for each question that is decided, in the form of [`SCHEMA`].
+pub fn proof_data(sheet: &Sheet, position: usize, options: &Options) -> Vec<String> {
+    let entry = sheet.entries.get(position);
+    let claim = entry.map_or("", |entry| entry.tex.tex.as_str());
+    let label = entry.map_or("", |entry| entry.label.as_str());
+    let text = |mut fields: Vec<String>, own: Vec<String>| {
+        fields.extend(own);
+        format!("{{\n  {}\n}}\n", fields.join(",\n  "))
+    };
+    let decided = decided(sheet, position, options);
+    if decided.is_empty() {
+        let words = proof_in_words(sheet, position, options).map(|(question, proof)| {
+            let own = field("words", words_data(&question, &proof));
+            text(head_fields(label, claim), vec![field("verdict", quoted("proved")), own])
+        });
+        return words.into_iter().collect();
+    }
+    let of_one = |one: &Decided| {
+        let mut own = one.goal_fields();
+        own.extend(one.fields());
+        text(head_fields(label, claim), own)
+    };
+    decided.iter().map(of_one).collect()
+}
+
+/// What proof data begins with.
+fn head_fields(label: &str, claim: &str) -> Vec<String> {
+    vec![
+        field("format", quoted("vibro-audit-proof")),
+        field("version", VERSION.to_string()),
+        field("label", quoted(label)),
+        field("claim", quoted(claim)),
+    ]
 }
 
 /// The longest name of a file without its ending: file systems allow 255 bytes.
@@ -140,7 +192,7 @@ const LONGEST_NAME: usize = 200;
 /// Returns a file name without its ending for each claim at these positions, from its label. No two are the same, in upper
 /// or lower case, and none has a `-` and a number at its end, which tells several scripts of one claim apart.
 pub fn file_names(sheet: &Sheet, positions: &[usize]) -> Vec<String> {
-    let mut taken: BTreeSet<String> = BTreeSet::new();
+    let mut taken = BTreeSet::from(["schema".to_owned()]);
     let named = positions.iter().enumerate().map(|(number, &position)| {
         let label = sheet.entries.get(position).map_or("", |entry| entry.label.as_str());
         let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' };
@@ -196,16 +248,43 @@ impl Decided {
         if !self.question.instance.is_empty() {
             lines.push(format!("#     ({})", one_line(&self.question.instance)));
         }
-        let checker = CHECKER.strip_suffix(SERVES).unwrap_or(&CHECKER);
         let (data, readings) = (self.data(true), formulas.python());
         sealed(&format!(
-            "{}\n\nDATA = {data}\n\n{readings}\n\n{checker}",
-            lines.join("\n")
+            "{}\n\nDATA = {data}\n\n{readings}\n\n{}",
+            lines.join("\n"),
+            *CORE
         ))
+    }
+
+    /// What is decided, in TeX, and how the claim was reduced to it.
+    fn goal_fields(&self) -> Vec<String> {
+        let rules = self.goal.statements.rules.iter();
+        let premises = self.goal.statements.premises.iter().map(|premise| {
+            let fields = [
+                field("label", quoted(&premise.label)),
+                field("tex", quoted(&premise.equation.to_string())),
+            ];
+            format!("{{{}}}", fields.join(", "))
+        });
+        vec![
+            field("goal", quoted(&self.question.equation.to_string())),
+            field("part", quoted(&self.goal.part)),
+            field("instance", quoted(&self.question.instance)),
+            field("reductions", list(rules.map(|rule| quoted(&rule.to_string())))),
+            field("premises", list(premises)),
+        ]
     }
 
     /// The statement with what decides it: JSON, and Python too. On one line or, for readers, on many.
     pub fn data(&self, lines: bool) -> String {
+        let fields = self.fields();
+        match lines {
+            true => format!("{{\n    {},\n}}", fields.join(",\n    ")),
+            false => format!("{{{}}}", fields.join(", ")),
+        }
+    }
+
+    fn fields(&self) -> Vec<String> {
         let statement = &self.question.statement;
         let base = statement.terms().len();
         let mut fields = vec![match self.found {
@@ -237,10 +316,7 @@ impl Decided {
         let mut own = numbers.fields(statement, &point.statement);
         own.extend(witness_fields(&numbers, &point.evidence));
         fields.push(field("point", format!("{{{}}}", own.join(", "))));
-        match lines {
-            true => format!("{{\n    {},\n}}", fields.join(",\n    ")),
-            false => format!("{{{}}}", fields.join(", ")),
-        }
+        fields
     }
 
     /// Another certificate, over the same terms as the one found, as JSON on one line; none where the claim is refuted.
@@ -254,9 +330,6 @@ impl Decided {
         Some(format!("{{{}}}", certificate_fields(&numbers, certificate).join(", ")))
     }
 }
-
-/// The last lines of the checker, where it is a program of its own.
-const SERVES: &str = "\n\nif __name__ == \"__main__\":\n    serve()\n";
 
 /// The first line of a script: the program ends with status 1 unless its last line is reached. No beginning of it is a
 /// program that ends with 0.
