@@ -1040,3 +1040,36 @@ fn what_follows_but_for_a_factor_of_a_premise_is_conditional() {
         ],
     );
 }
+
+#[test]
+fn an_integral_is_taken_where_it_has_a_value() {
+    let decide = |tex: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['a', 'N', '\\mu', 'p', 'q', 'T']\n{}",
+            equation("1", "claim", tex, "")
+        );
+        let decision = audit(&text).unwrap().remove(0);
+        (decision.verdict, decision.provided.join("; "))
+    };
+    for (tex, provided) in [
+        (r"\int_0^\infty e^{-a x} dx = \frac{1}{a}", "a > 0"),
+        (r"\int_{-\infty}^\infty e^{-a x^2} dx = \sqrt{\frac{\pi}{a}}", ""),
+        (
+            r"\frac{1}{2N} \int_0^\infty e^{-t (2\mu + 1/(2N))} dt = \frac{1/(2N)}{1/(2N) + 2\mu}",
+            r"2 \mu + \frac{1}{2 N} > 0",
+        ),
+        (r"\int_p^q \frac{dx}{x} = \ln q - \ln p", ""),
+        (r"\int_0^T \cos(a t) dt = \frac{\sin(a T)}{a}", ""),
+    ] {
+        assert_eq!(decide(tex), (Verdict::Proved, provided.to_owned()), "{tex}");
+    }
+    for tex in [
+        r"\int_0^\infty e^{a x} dx = \frac{1}{a}",
+        r"\int_0^\infty x e^{-a x} dx = \frac{1}{a}",
+    ] {
+        assert_eq!(decide(tex).0, Verdict::Refuted, "{tex}");
+    }
+    // positive ends are not said
+    assert_ne!(decide(r"\int_p^q \frac{dx}{x} = \ln \frac{q}{p}").0, Verdict::Refuted);
+    assert_ne!(decide(r"\int_p^q \frac{dx}{x^2} = \frac{1}{p} - \frac{1}{q}").0, Verdict::Proved);
+}

@@ -50,8 +50,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, at_positive_bases, other_ways, reduced,
-    reduced_by_cases, thin_domains, values, word_question,
+    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains,
+    under_conditions, values, word_question,
 };
 use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side, is_opaque};
 
@@ -365,7 +365,7 @@ impl<'a> Search<'a> {
             _ => decision,
         };
         let decision = match decision.verdict {
-            Verdict::Undecided if !decision.is_vacuous => self.at_positive_bases(&goals).unwrap_or(decision),
+            Verdict::Undecided if !decision.is_vacuous => self.under_conditions(&goals).unwrap_or(decision),
             _ => decision,
         };
         let thin = match (decision.verdict, goals.sufficient.as_slice()) {
@@ -378,16 +378,19 @@ impl<'a> Search<'a> {
         thin.unwrap_or(decision)
     }
 
-    /// Decides a claim where the bases of its powers are positive; nothing where it is not proved so.
-    fn at_positive_bases(&mut self, goals: &Reduced) -> Option<Decision> {
-        let (further, provided) = at_positive_bases(goals)?;
+    /// Decides a claim where the bases of its powers are positive and its integrals have values; nothing where it is not decided so.
+    fn under_conditions(&mut self, goals: &Reduced) -> Option<Decision> {
+        let (further, provided) = under_conditions(goals)?;
         let known = self.known();
         let mut decision = self.together(&further);
-        if decision.verdict != Verdict::Proved {
-            self.forget(known);
-            return None;
+        match decision.verdict {
+            Verdict::Proved => decision.provide(provided),
+            Verdict::Refuted if !decision.is_vacuous => {}
+            _ => {
+                self.forget(known);
+                return None;
+            }
         }
-        decision.provide(provided);
         Some(decision)
     }
 

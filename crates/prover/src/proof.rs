@@ -193,7 +193,12 @@ fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, de
         return None;
     }
     let most = if depth == DEEPEST_CASES { 2 } else { 1 };
-    for (on, order) in splits(session, polynomial).into_iter().take(most) {
+    let mut splits: Vec<(Polynomial, bool)> = splits(session, polynomial).into_iter().take(most).collect();
+    // what contradicts the premises where it is 0 or has the other sign
+    if depth == DEEPEST_CASES && property != Property::Zero && polynomial.terms().len() == 1 {
+        splits.push((polynomial.clone(), property != Property::Nonzero));
+    }
+    for (on, order) in splits {
         let found = session.by_cases(&on, order, property, polynomial, &mut |session| {
             session.triangulate_all();
             attempt(session, property, polynomial).or_else(|| settle(session, property, polynomial, depth - 1))

@@ -1,9 +1,11 @@
 //! What must hold for a formula to have a value.
 
+use super::super::premise::Statements;
 use super::build::{integer, plain};
+use super::derivative::mentions;
 use super::factorial::{DOUBLE_FACTORIAL, FACTORIAL};
 use numbers::{Field, Rational};
-use texmath::{Elementary, Equation, Name, Operation, Relation, Symbols, Tree, number_of};
+use texmath::{Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, number_of};
 
 fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
     Equation {
@@ -112,4 +114,59 @@ fn collect(
         _ => return Err(format!("where `{tree}` has a value is not known")),
     }
     Ok(())
+}
+
+/// The statements with what holds wherever their claims have a value assumed.
+pub(super) fn with_domain(statements: &Statements, symbols: &Symbols) -> Statements {
+    let mut out = statements.clone();
+    if super::trees(statements)
+        .into_iter()
+        .any(|tree| symbols.may_be_complex(tree))
+    {
+        return out;
+    }
+    let mut found = Vec::new();
+    for side in statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]) {
+        necessary(side, &mut found);
+    }
+    for condition in found.into_iter().map(Condition::Relation) {
+        if !out.assume.contains(&condition) {
+            out.assume.push(condition);
+        }
+    }
+    out
+}
+
+/// Conditions that hold wherever a tree has a value. Of an integral they are those of its limits, and those of what is
+/// integrated that do not move with its letter.
+fn necessary(tree: &Tree, found: &mut Vec<Equation>) {
+    match tree {
+        Tree::Operation(operation, _) => {
+            if let Operation::Integral { of, by, limits } = &**operation {
+                limits
+                    .iter()
+                    .flat_map(|(low, high)| [low, high])
+                    .for_each(|limit| necessary(limit, found));
+                let mut within = Vec::new();
+                necessary(of, &mut within);
+                let is_free = |condition: &Equation| !mentions(&condition.left, by) && !mentions(&condition.right, by);
+                found.extend(within.into_iter().filter(is_free));
+            }
+            return;
+        }
+        Tree::Quotient(_, below, _) => nonzero(below, found),
+        Tree::Power(base, ..=-1, _) => nonzero(base, found),
+        Tree::Root(radicand, index, _) if index % 2 == 0 => {
+            found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, integer(0)));
+        }
+        Tree::Call(name, argument, _) => {
+            let function = Elementary::named(name).filter(|function| !function.is_part());
+            found.extend(function.into_iter().flat_map(|function| function.domain(argument)));
+        }
+        _ => {}
+    }
+    tree.find_below(&mut |part| {
+        necessary(part, found);
+        None::<()>
+    });
 }

@@ -6,7 +6,7 @@ use super::antiderivative::{antiderivative, quadratic_exponential};
 use super::build::{
     call, difference, infinity, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol,
 };
-use super::derivative::By;
+use super::derivative::{By, mentions};
 use super::evaluate::evaluated;
 use super::limit::{as_goals, of_limit};
 use super::{Goal, Reduced, Rule, defined, fresh};
@@ -124,10 +124,10 @@ fn integrand(tree: &Tree) -> Option<(&Tree, &Name)> {
 /// The claim with each definite integral replaced by the difference of an antiderivative, which holds where the lemmas
 /// do; `None` where there is no such integral, or no antiderivative is found.
 pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
-    let statements = &gathered(statements, symbols)?;
+    let statements = &defined::with_domain(&gathered(statements, symbols)?, symbols);
     let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
     let is_any_complex = super::trees(statements).into_iter().any(is_complex);
-    let (mut found, mut lemmas): (Vec<(Operation, Tree)>, Vec<Goal>) = (Vec::new(), Vec::new());
+    let (mut found, mut lemmas, mut converging) = (Vec::<(Operation, Tree)>::new(), Vec::new(), Vec::new());
     for tree in super::trees(statements) {
         for operation in outermost(tree) {
             if found.iter().any(|(known, _)| *known == operation) {
@@ -136,11 +136,12 @@ pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> 
             if is_any_complex {
                 return Ok(None);
             }
-            let Some((value, needed)) = value_of(&operation, statements, symbols)? else {
+            let Some(value) = value_of(&operation, statements, symbols)? else {
                 return Ok(None);
             };
-            lemmas.extend(needed);
-            found.push((operation, value));
+            lemmas.extend(value.lemmas);
+            converging.extend(value.converging);
+            found.push((operation, value.tree));
         }
     }
     if found.is_empty() {
@@ -151,9 +152,9 @@ pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> 
     Ok(Some(Reduced {
         lemmas,
         sufficient: vec![goal],
-        necessary: Vec::new(),
         is_equivalent: true,
-        reason: String::new(),
+        converging,
+        ..Reduced::default()
     }))
 }
 
@@ -188,12 +189,17 @@ fn collect_outermost(tree: &Tree, found: &mut Vec<Operation>) {
     });
 }
 
-/// The value of a definite integral and what must hold for it to be that; `None` where no antiderivative is found.
-fn value_of(
-    operation: &Operation,
-    statements: &Statements,
-    symbols: &Symbols,
-) -> Result<Option<(Tree, Vec<Goal>)>, String> {
+/// The value of a definite integral.
+struct Value {
+    tree: Tree,
+    /// What must hold for it to be that.
+    lemmas: Vec<Goal>,
+    /// Those of these conditions without which an improper integral has no value.
+    converging: Vec<Equation>,
+}
+
+/// The value of a definite integral; `None` where no antiderivative is found.
+fn value_of(operation: &Operation, statements: &Statements, symbols: &Symbols) -> Result<Option<Value>, String> {
     let Operation::Integral {
         of,
         by,
@@ -214,24 +220,27 @@ fn value_of(
         limits: [low, high],
     };
     // the inner integrals first, at each number of the interval
-    let (mut inner, mut lemmas) = (Vec::new(), Vec::new());
+    let (mut inner, mut lemmas, mut converging) = (Vec::new(), Vec::new(), Vec::new());
     let mut within = statements.clone();
     within.assume.extend(definite.interval()?);
     for operation in outermost(&definite.of) {
-        let Some((value, needed)) = value_of(&operation, &within, &extended)? else {
+        let Some(value) = value_of(&operation, &within, &extended)? else {
             return Ok(None);
         };
-        lemmas.extend(needed);
-        inner.push((operation, value));
+        lemmas.extend(value.lemmas);
+        // what an inner one needs may move with the letter
+        converging.extend(value.converging.into_iter().filter(|own| !mentions(&own.left, &letter)));
+        inner.push((operation, value.tree));
     }
     definite.of = replaced(&definite.of, &inner);
     if super::has_operation(&definite.of, symbols) {
         return Ok(None);
     }
     let found = definite.value()?;
-    Ok(found.map(|(value, needed)| {
-        lemmas.extend(needed);
-        (value, lemmas)
+    Ok(found.map(|mut value| {
+        value.lemmas.extend(lemmas);
+        value.converging.extend(converging);
+        value
     }))
 }
 
@@ -377,8 +386,8 @@ struct Definite<'a> {
 }
 
 impl Definite<'_> {
-    /// The value and what must hold for it to be that; `None` where no antiderivative is found.
-    fn value(&self) -> Result<Option<(Tree, Vec<Goal>)>, String> {
+    /// The value; `None` where no antiderivative is found.
+    fn value(&self) -> Result<Option<Value>, String> {
         if let Some(found) = self.gaussian()? {
             return Ok(Some(found));
         }
@@ -399,15 +408,21 @@ impl Definite<'_> {
         let [low, high] = self.limits;
         if self.limits.iter().all(|limit| infinity(limit).is_none()) && !speaks_of(&self.of, self.letter) {
             let length = difference(high.clone(), low.clone());
-            return Ok(Some((product(vec![self.of.clone(), length]), lemmas)));
+            return Ok(Some(Value {
+                tree: product(vec![self.of.clone(), length]),
+                lemmas,
+                converging: Vec::new(),
+            }));
         }
-        let mut ends = Vec::new();
+        let (mut ends, mut converging) = (Vec::new(), Vec::new());
         for limit in self.limits {
             ends.push(match infinity(limit) {
                 None => rewrite(&whole, &|name| (name == self.letter).then(|| limit.clone())),
                 Some(_) => {
                     // what does not move in the antiderivative has a value, by the lemmas
                     let (value, needed, _) = of_limit(self.statements, self.symbols, &whole, self.letter, limit)?;
+                    let orders = needed.iter().filter(|own| own.relation != Relation::Equal);
+                    converging.extend(orders.cloned());
                     lemmas.extend(as_goals(self.statements, self.symbols, needed));
                     value
                 }
@@ -415,12 +430,16 @@ impl Definite<'_> {
         }
         let high = ends.pop().unwrap_or_else(|| integer(0));
         let low = ends.pop().unwrap_or_else(|| integer(0));
-        Ok(Some((difference(high, low), lemmas)))
+        Ok(Some(Value {
+            tree: difference(high, low),
+            lemmas,
+            converging,
+        }))
     }
 
     /// The integral of e^(c + b x - a x^2) over all numbers, which is e^(c + b^2/(4 a)) \sqrt{\pi/a} for positive a; half
     /// of it from 0 on, where b is 0.
-    fn gaussian(&self) -> Result<Option<(Tree, Vec<Goal>)>, String> {
+    fn gaussian(&self) -> Result<Option<Value>, String> {
         let [low, high] = self.limits;
         let Some((factor, [constant, linear, square])) = quadratic_exponential(&self.of, self.letter, self.symbols)
         else {
@@ -438,10 +457,11 @@ impl Definite<'_> {
             product(vec![square.clone(), power(letter, 2)]),
         ]);
         let mut claims = self.conditions(&[&self.of, &factor])?;
-        claims.push(Equation {
+        let decays = Equation {
             relation: Relation::Less,
             ..Equation::between(square.clone(), integer(0))
-        });
+        };
+        claims.push(decays.clone());
         claims.push(Equation::between(
             self.of.clone(),
             product(vec![factor.clone(), call("\\exp", exponent)]),
@@ -454,8 +474,12 @@ impl Definite<'_> {
             call("\\exp", difference(constant, least)),
             root(quotient(pi, negative(square))),
         ]);
-        let value = if is_half { quotient(value, integer(2)) } else { value };
-        Ok(Some((value, lemmas)))
+        let tree = if is_half { quotient(value, integer(2)) } else { value };
+        Ok(Some(Value {
+            tree,
+            lemmas,
+            converging: vec![decays],
+        }))
     }
 
     /// What must hold for trees to have a value at each number of the interval. A function of which nothing speaks is

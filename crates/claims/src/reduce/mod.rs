@@ -39,7 +39,7 @@ use super::definition::{Local, inlined};
 use super::premise::Statements;
 pub use divisors::divisors;
 pub use inequality::ways as other_ways;
-pub use powers::at_positive_bases;
+pub use powers::under_conditions;
 pub use rule::{Rule, Rules};
 pub use thin::{thin_domains, values};
 
@@ -59,7 +59,7 @@ pub struct Goal {
 }
 
 /// What a claim comes to.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Reduced {
     /// What must hold for the others to bear on the claim.
     pub lemmas: Vec<Goal>,
@@ -69,6 +69,8 @@ pub struct Reduced {
     pub is_equivalent: bool,
     /// It fails where one of these others does.
     pub necessary: Vec<Goal>,
+    /// Conditions, shown by lemmas, without which an integral has no value.
+    pub converging: Vec<Equation>,
     /// Why nothing is sufficient.
     pub reason: String,
 }
@@ -77,11 +79,9 @@ impl Reduced {
     /// The claim as its own only goal.
     pub fn itself(goal: Goal) -> Self {
         Self {
-            lemmas: Vec::new(),
-            necessary: Vec::new(),
             sufficient: vec![goal],
             is_equivalent: true,
-            reason: String::new(),
+            ..Self::default()
         }
     }
 }
@@ -191,10 +191,9 @@ fn without_operations(statements: &Statements, symbols: &Symbols) -> Result<Opti
     }
     Ok(Some(Reduced {
         lemmas,
-        necessary: Vec::new(),
         sufficient: goals,
         is_equivalent: true,
-        reason: String::new(),
+        ..Reduced::default()
     }))
 }
 
@@ -225,7 +224,7 @@ pub fn reduced_by_cases(statements: &Statements, symbols: &Symbols) -> Option<Re
         is_equivalent: !sufficient.is_empty(),
         sufficient,
         necessary,
-        reason: String::new(),
+        ..Reduced::default()
     })
 }
 
@@ -237,11 +236,8 @@ pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Re
     }
     let reduced = of_sequences(&written, symbols);
     Some(reduced.unwrap_or_else(|reason| Reduced {
-        lemmas: Vec::new(),
-        sufficient: Vec::new(),
-        is_equivalent: false,
-        necessary: Vec::new(),
         reason,
+        ..Reduced::default()
     }))
 }
 
@@ -274,11 +270,10 @@ fn over_an_index(statements: &Statements, symbols: &Symbols, reason: String) -> 
             .ok_or(reason);
     }
     Ok(Reduced {
-        lemmas: Vec::new(),
         sufficient,
         necessary,
-        is_equivalent: false,
         reason: why,
+        ..Reduced::default()
     })
 }
 

@@ -1,17 +1,30 @@
-//! Powers whose exponents are no numbers, at positive bases, or at bases that are not 0 where the exponents are integers: what such
+//! Conditions that a verdict holds under and says: that improper integrals have values, and bases of powers.
+//!
+//! Powers whose exponents are no numbers are taken at positive bases, or at bases that are not 0 where the exponents are integers: what such
 //! a power is at 0 hangs on the sign of its exponent.
 
 use super::build::integer;
 use super::cases::is_absolute;
 use super::{Reduced, Rule, trees};
+use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, names_in, number_of, speaks_of};
 
-/// Returns the goals with the bases of such powers assumed to be positive, and these assumptions as they print; nothing where there
-/// is none that is not assumed already.
-pub fn at_positive_bases(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
+/// Returns the goals with the bases of such powers assumed to be positive and integrals to have values, and these assumptions as
+/// they print; nothing where there is none that is not assumed already.
+pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
     let mut further = goals.clone();
     let mut provided: Vec<String> = Vec::new();
+    for condition in &plainly(&goals.converging) {
+        let printed = condition.to_string();
+        if !provided.contains(&printed) {
+            provided.push(printed);
+        }
+        for goal in further.sufficient.iter_mut().chain(&mut further.lemmas) {
+            goal.statements.assume.push(Condition::Relation(condition.clone()));
+            goal.statements.rules.insert(Rule::IntegralConverges);
+        }
+    }
     for goal in further.sufficient.iter_mut().chain(&mut further.lemmas) {
         let statements = &mut goal.statements;
         // an integer, or what may be one by its definition: the base may be negative
@@ -48,6 +61,55 @@ pub fn at_positive_bases(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
         }
     }
     (!provided.is_empty()).then_some((further, provided))
+}
+
+/// Conditions without signs in front, `a > 0` for `-a < 0`, and without those that others imply.
+fn plainly(conditions: &[Equation]) -> Vec<Equation> {
+    let plain = |condition: &Equation| {
+        let (is_negative, left) = without_sign(&condition.left);
+        let relation = match condition.relation {
+            Relation::Less if is_negative => Relation::Greater,
+            Relation::Greater if is_negative => Relation::Less,
+            Relation::LessOrEqual if is_negative => Relation::GreaterOrEqual,
+            Relation::GreaterOrEqual if is_negative => Relation::LessOrEqual,
+            relation => relation,
+        };
+        Equation {
+            relation,
+            left,
+            ..condition.clone()
+        }
+    };
+    let is_to_zero = |own: &&Equation| number_of(&own.right).is_some_and(|right| right == Rational::from_integer(0));
+    let of_zero = conditions.iter().filter(is_to_zero).map(plain);
+    let all: Vec<Equation> = of_zero
+        .chain(conditions.iter().filter(|own| !is_to_zero(own)).cloned())
+        .collect();
+    let is_implied = |own: &Equation| {
+        let is_strict = |other: &Equation| matches!(other.relation, Relation::Less | Relation::Greater);
+        own.relation == Relation::NotEqual && all.iter().any(|other| is_strict(other) && other.left == own.left)
+    };
+    all.iter().filter(|own| !is_implied(own)).cloned().collect()
+}
+
+/// A tree without the signs in front of it, and whether these make a minus.
+fn without_sign(tree: &Tree) -> (bool, Tree) {
+    match tree {
+        Tree::Negate(inner) => {
+            let (is_negative, inner) = without_sign(inner);
+            (!is_negative, inner)
+        }
+        Tree::Product(factors) => {
+            let minus = |factor: &&Tree| number_of(factor).is_some_and(|value| value == Rational::from_integer(-1));
+            let (signs, mut rest): (Vec<&Tree>, Vec<&Tree>) = factors.iter().partition(minus);
+            let tree = match rest.as_slice() {
+                [_] => rest.remove(0).clone(),
+                _ => Tree::Product(rest.into_iter().cloned().collect()),
+            };
+            (signs.len() % 2 == 1, tree)
+        }
+        tree => (false, tree.clone()),
+    }
 }
 
 /// That the base of a power is positive, or that the factors of the base are not 0 where the exponent is an integer, and nothing

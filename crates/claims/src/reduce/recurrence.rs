@@ -48,11 +48,10 @@ pub(super) fn reduced(statements: &Statements, setting: &Setting) -> Result<Redu
         goals.collect()
     };
     Ok(Reduced {
-        lemmas: Vec::new(),
         necessary: by(Rule::SequenceUnrolled, sequence.tried()),
         sufficient: by(Rule::SequenceInduction, sufficient),
-        is_equivalent: false,
         reason,
+        ..Reduced::default()
     })
 }
 

@@ -24,6 +24,8 @@ pub enum Rule {
     IntegralLinear,
     /// A definite integral is the difference of an antiderivative at its ends.
     IntegralAntiderivative,
+    /// An improper integral is taken to have a value.
+    IntegralConverges,
     /// The integral of a normal distribution.
     IntegralGaussian,
     /// A limit is read off a power series.
@@ -113,6 +115,7 @@ impl fmt::Display for Rule {
             Self::IntegralDifferentiated => "integral: differentiated",
             Self::IntegralLinear => "integral: linearity",
             Self::IntegralAntiderivative => "integral: antiderivative",
+            Self::IntegralConverges => "integral: converges",
             Self::IntegralGaussian => "integral: Gaussian",
             Self::LimitSeries => "limit: series",
             Self::OrderSeries => "order: series",

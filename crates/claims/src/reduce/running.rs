@@ -144,11 +144,9 @@ pub(super) fn reduced(statements: &Statements, setting: &Setting) -> Result<Redu
         ..Equation::between(symbol(&setting.letter), integer(1 - first.min(0)))
     }));
     Ok(Reduced {
-        lemmas: Vec::new(),
         necessary: vec![goal(&rest, "a positive index")?],
         sufficient,
-        is_equivalent: false,
-        reason: String::new(),
+        ..Reduced::default()
     })
 }
 
