@@ -28,6 +28,7 @@ mod evaluation;
 mod explanation;
 mod float;
 mod formula;
+pub mod integration;
 mod inverse;
 mod laws;
 mod logarithms;
