@@ -319,6 +319,15 @@ fn proof_data_that_is_cut_hostile_or_of_another_version_is_refused_with_its_plac
             put("\"steps\": [", "\"steps\": [[\"given\", 99999], "),
             "step 1 (given)",
         ),
+        // a point at which 0 is taken not to be 0
+        (
+            include_str!("kernel/forged-proof.json").to_owned(),
+            "excluded at a point",
+        ),
+        (
+            include_str!("kernel/forged-refutation.json").to_owned(),
+            "excluded at a point",
+        ),
         (
             format!("{}{}", "[".repeat(100_000), "]".repeat(100_000)),
             "RecursionError",

@@ -2,12 +2,13 @@
 
 use crate::common::{attacks, sample};
 use vibro_audit::claim::{Reduced, Rule, Sheet, Statements, other_ways, reduced, reduced_by_cases, vocabulary};
+use vibro_audit::prove::integration::antiderivative;
 use vibro_audit::prove::{Options, decide};
 use vibro_audit::tex::DoubtKind;
 
 /// The goals of a claim, with the rules that name how they came of it.
 fn all_reductions(read: &Statements, sheet: &Sheet) -> Vec<Reduced> {
-    let of_operations = reduced(read, &sheet.symbols).ok().flatten();
+    let of_operations = reduced(read, &sheet.symbols, &antiderivative).ok().flatten();
     let statements = match &of_operations {
         Some(Reduced { sufficient, .. }) => sufficient.iter().map(|goal| &goal.statements).collect(),
         None => vec![read],

@@ -10,7 +10,7 @@ use kernel::{
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
-    self, At, Condition, Equation, Invariant, Map, Meaning, Name, Relation, Symbols, Tree, index_of, pair_of,
+    self, At, Condition, Equation, Invariant, Map, Meaning, Name, Operation, Relation, Symbols, Tree, index_of, pair_of,
 };
 
 /// What a claim asks of one of its equations: all of these must hold for it.
@@ -175,6 +175,8 @@ struct Builder<'a> {
     /// The same of what an abbreviation stands for, and whether that is read over the reals alone.
     meant: HashMap<Term, (Vec<(Property, Term)>, bool)>,
     open: Vec<Name>,
+    /// The letter of the integral that is read.
+    bound: Option<Name>,
     known: HashMap<(Name, usize), Term>,
     real_only: bool,
     opaque: bool,
@@ -216,6 +218,7 @@ impl<'a> Builder<'a> {
             brought: Vec::new(),
             meant: HashMap::new(),
             open: Vec::new(),
+            bound: None,
             known: HashMap::new(),
             real_only: false,
             opaque: false,
@@ -903,8 +906,32 @@ impl<'a> Builder<'a> {
             }
             Tree::PlusMinus(body) => self.signed(body, true)?,
             Tree::MinusPlus(body) => self.signed(body, false)?,
-            Tree::Operation(_, at) => return Err(unreadable(at.0, "this operation stands where it is not read")),
+            Tree::Operation(operation, at) => match &**operation {
+                Operation::Integral {
+                    of,
+                    by,
+                    limits: Some((low, high)),
+                } => self.integral(of, by, [low, high], at.0)?,
+                _ => return Err(unreadable(at.0, "this operation stands where it is not read")),
+            },
         })
+    }
+
+    /// The number that an integral without other letters is.
+    fn integral(&mut self, of: &Tree, by: &Name, ends: [&Tree; 2], at: usize) -> Result<Term, Unreadable> {
+        let refused = || unreadable(at, "this integral is not known to have a value");
+        if self.statement.is_complex() || self.bound.is_some() {
+            return Err(refused());
+        }
+        let [low, high] = ends;
+        let (low, high) = (self.tree(low)?, self.tree(high)?);
+        // what the integrand needs is shown where the integral is made
+        let brought = self.brought.len();
+        self.bound = Some(by.clone());
+        let of = self.tree(of);
+        self.bound = None;
+        self.brought.truncate(brought);
+        self.statement.terms_mut().integral(of?, low, high).ok_or_else(refused)
     }
 
     fn signed(&mut self, body: &Tree, plus_above: bool) -> Result<Term, Unreadable> {
@@ -1035,6 +1062,9 @@ impl<'a> Builder<'a> {
     }
 
     fn name(&mut self, name: &Name, at: usize) -> Result<Term, Unreadable> {
+        if self.bound.as_ref() == Some(name) {
+            return Ok(self.statement.terms_mut().add(Node::Bound));
+        }
         if let Some(local) = self.scope.locals.iter().find(|local| local.name == *name) {
             return self.abbreviation(&local.name, &local.tree, self.scope.number, at);
         }

@@ -2,6 +2,8 @@
 
 use super::polynomial::Polynomial;
 use super::term::{Elementary, Node, Term, Terms};
+use dashu_int::ops::BitTest;
+use dashu_ratio::RBig;
 use num_traits::{One, Zero};
 use numbers::{Analytic, Endpoint, Field, Interval, Rational, Wide};
 use std::collections::HashMap;
@@ -47,19 +49,49 @@ pub fn enclose<E: Endpoint>(terms: &Terms, polynomial: &Polynomial) -> Option<In
     sum.is_finite().then_some(sum)
 }
 
+/// The most bits of a number that is known exactly.
+const LONGEST: usize = 4096;
+
+/// The value of a sum, product, power or quotient of numbers that are known exactly.
+fn exact(node: &Node, of: &dyn Fn(&Term) -> Option<RBig>) -> Option<RBig> {
+    let all = |parts: &[Term]| parts.iter().map(of).collect::<Option<Vec<RBig>>>();
+    let value = match node {
+        Node::Number(value) => value.0.clone(),
+        Node::Sum(parts) => all(parts)?.into_iter().fold(RBig::ZERO, |sum, part| sum + part),
+        Node::Product(parts) => all(parts)?.into_iter().fold(RBig::ONE, |product, part| product * part),
+        Node::Power(base, exponent @ 0..=16) => of(base)?.pow(isize::try_from(*exponent).ok()?),
+        Node::Quotient(above, below) => {
+            let below = of(below).filter(|below| *below != RBig::ZERO)?;
+            of(above)? / below
+        }
+        _ => return None,
+    };
+    let bits = value.numerator().bit_len() + value.denominator().bit_len();
+    (bits <= LONGEST).then_some(value)
+}
+
 /// An enclosure of a term that holds no symbol and no unknown function.
 pub fn term_value<E: Endpoint>(
     terms: &Terms,
     term: Term,
     known: &mut HashMap<Term, Interval<E>>,
 ) -> Option<Interval<E>> {
+    // rounding would take the root of 1 - 1, and the arc sine of 1, out of their domains
+    let mut exactly: HashMap<Term, RBig> = HashMap::new();
     for inner in terms.inside(term) {
+        if let Some(value) = exact(terms.node(inner), &|part| exactly.get(part).cloned()) {
+            let enclosed = match Rational(value.clone()).to_integer() {
+                Some(whole) => Interval::from_integer(whole),
+                _ => rational(&Rational(value.clone()))?,
+            };
+            exactly.insert(inner, value);
+            known.entry(inner).or_insert(enclosed);
+        }
         if known.contains_key(&inner) {
             continue;
         }
         let of = |part: &Term| known.get(part).cloned();
         let value = match terms.node(inner) {
-            Node::Number(value) => rational(value)?,
             Node::Pi => <Interval<E> as Analytic>::pi(),
             Node::Sum(parts) => {
                 let parts: Option<Vec<_>> = parts.iter().map(of).collect();
@@ -84,7 +116,12 @@ pub fn term_value<E: Endpoint>(
                 exp(&(of(exponent)? * ln(&base)))
             }
             Node::Elementary(function, of_term) => elementary(*function, &of(of_term)?)?,
-            Node::Symbol(_) | Node::Value(..) | Node::Imaginary => return None,
+            Node::Integral { .. } => {
+                let [low, high] = terms.bounds(inner)?;
+                Interval::new(rational::<E>(low)?.low().clone(), rational::<E>(high)?.high().clone())
+            }
+            Node::Number(value) => rational(value)?,
+            Node::Symbol(_) | Node::Value(..) | Node::Imaginary | Node::Bound => return None,
         };
         value.is_finite().then_some(())?;
         known.insert(inner, value);
@@ -103,7 +140,7 @@ pub fn complex_signs(terms: &Terms, polynomial: &Polynomial) -> Option<[Option<i
     for (monomial, coefficient) in polynomial.terms() {
         let mut product: Complex<Wide<40>> = (rational(&Rational(coefficient.clone()))?, None);
         for &(term, power) in monomial {
-            let base = complex_value(terms, term, &mut known)?;
+            let base = complex_value(terms, term, complex_elementary, &mut known)?;
             for _ in 0..(power <= 1000).then_some(power)? {
                 product = times(&product, &base);
             }
@@ -122,7 +159,7 @@ pub fn complex_signs(terms: &Terms, polynomial: &Polynomial) -> Option<[Option<i
     Some([sign(&sum.0), imaginary])
 }
 
-fn plus<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
+pub(super) fn plus<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
     let imaginary = match (&a.1, &b.1) {
         (Some(x), Some(y)) => Some(x.clone() + y.clone()),
         (part, None) | (None, part) => part.clone(),
@@ -130,7 +167,7 @@ fn plus<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
     (a.0.clone() + b.0.clone(), imaginary)
 }
 
-fn times<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
+pub(super) fn times<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
     let real = a.0.clone() * b.0.clone();
     match (&a.1, &b.1) {
         (None, None) => (real, None),
@@ -143,7 +180,7 @@ fn times<E: Endpoint>(a: &Complex<E>, b: &Complex<E>) -> Complex<E> {
     }
 }
 
-fn complex_quotient<E: Endpoint>(above: Complex<E>, below: Complex<E>) -> Option<Complex<E>> {
+pub(super) fn complex_quotient<E: Endpoint>(above: Complex<E>, below: Complex<E>) -> Option<Complex<E>> {
     Some(match below.1 {
         None => {
             (!below.0.contains_zero()).then_some(())?;
@@ -159,7 +196,7 @@ fn complex_quotient<E: Endpoint>(above: Complex<E>, below: Complex<E>) -> Option
 }
 
 /// The principal value of an elementary function.
-fn complex_elementary<E: Endpoint>(function: Elementary, at: &Complex<E>) -> Option<Complex<E>> {
+pub(super) fn complex_elementary<E: Endpoint>(function: Elementary, at: &Complex<E>) -> Option<Complex<E>> {
     Some(match (function, &at.1) {
         (Elementary::Exp, _) => complex_exp(at),
         (Elementary::Ln, _) => complex_ln(at)?,
@@ -187,8 +224,16 @@ fn complex_elementary<E: Endpoint>(function: Elementary, at: &Complex<E>) -> Opt
     })
 }
 
+/// A branch of the elementary functions.
+pub type Branch<E> = fn(Elementary, &Complex<E>) -> Option<Complex<E>>;
+
 /// An enclosure of a term that holds no symbol and no unknown function, over complex numbers.
-fn complex_value<E: Endpoint>(terms: &Terms, term: Term, known: &mut HashMap<Term, Complex<E>>) -> Option<Complex<E>> {
+pub(super) fn complex_value<E: Endpoint>(
+    terms: &Terms,
+    term: Term,
+    elementary: Branch<E>,
+    known: &mut HashMap<Term, Complex<E>>,
+) -> Option<Complex<E>> {
     for inner in terms.inside(term) {
         if known.contains_key(&inner) {
             continue;
@@ -215,9 +260,12 @@ fn complex_value<E: Endpoint>(terms: &Terms, term: Term, known: &mut HashMap<Ter
                 (0..*exponent).fold(one(), |power, _| times(&power, &base))
             }
             Node::Quotient(above, below) => complex_quotient(of(above)?, of(below)?)?,
-            Node::RealPower(base, exponent) => complex_exp(&times(&of(exponent)?, &complex_ln(&of(base)?)?)),
-            Node::Elementary(function, of_term) => complex_elementary(*function, &of(of_term)?)?,
-            Node::Symbol(_) | Node::Value(..) => return None,
+            Node::RealPower(base, exponent) => {
+                complex_exp(&times(&of(exponent)?, &elementary(Elementary::Ln, &of(base)?)?))
+            }
+            Node::Elementary(function, of_term) => elementary(*function, &of(of_term)?)?,
+            Node::Integral { .. } => (term_value(terms, inner, &mut HashMap::new())?, None),
+            Node::Symbol(_) | Node::Value(..) | Node::Bound => return None,
         };
         let finite = value.0.is_finite() && value.1.as_ref().is_none_or(Interval::is_finite);
         finite.then_some(())?;
@@ -226,7 +274,7 @@ fn complex_value<E: Endpoint>(terms: &Terms, term: Term, known: &mut HashMap<Ter
     known.get(&term).cloned()
 }
 
-fn complex_exp<E: Endpoint>(at: &Complex<E>) -> Complex<E> {
+pub(super) fn complex_exp<E: Endpoint>(at: &Complex<E>) -> Complex<E> {
     let size = exp(&at.0);
     match &at.1 {
         None => (size, None),
@@ -238,7 +286,7 @@ fn complex_exp<E: Endpoint>(at: &Complex<E>) -> Complex<E> {
 }
 
 /// The principal logarithm: the argument is more than -pi and at most pi.
-fn complex_ln<E: Endpoint>(at: &Complex<E>) -> Option<Complex<E>> {
+pub(super) fn complex_ln<E: Endpoint>(at: &Complex<E>) -> Option<Complex<E>> {
     match &at.1 {
         None if at.0.is_positive() => Some((ln(&at.0), None)),
         None if at.0.is_negative() => Some((ln(&-at.0.clone()), Some(<Interval<E> as Analytic>::pi()))),
@@ -253,14 +301,14 @@ fn complex_ln<E: Endpoint>(at: &Complex<E>) -> Option<Complex<E>> {
     }
 }
 
-fn complex_root<E: Endpoint>(at: &Complex<E>, index: u32) -> Option<Complex<E>> {
+pub(super) fn complex_root<E: Endpoint>(at: &Complex<E>, index: u32) -> Option<Complex<E>> {
     let index = Interval::from_integer(i64::from(index));
     let logarithm = complex_ln(at)?;
     let part = (logarithm.0 / index.clone(), logarithm.1.map(|part| part / index));
     Some(complex_exp(&part))
 }
 
-fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
+pub(super) fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
     let (above, below) = (value.0.numerator(), value.0.denominator());
     let whole = |digits: &str| -> Interval<E> {
         // nine digits at a time, so that every step is exact in f64 and rounded outward in E

@@ -252,7 +252,7 @@ pub fn derivative(
     for inner in terms.inside(term) {
         let of = |part: &Term| done.get(part).copied().unwrap_or(zero);
         let result = match terms.node(inner).clone() {
-            Node::Number(_) | Node::Pi | Node::Imaginary => zero,
+            Node::Number(_) | Node::Pi | Node::Imaginary | Node::Bound | Node::Integral { .. } => zero,
             Node::Symbol(symbol) => slope(terms, symbol),
             Node::Sum(parts) => {
                 let moving: Vec<Term> = parts.iter().map(of).filter(|&slope| slope != zero).collect();

@@ -28,6 +28,7 @@ mod enclosure;
 mod expand;
 mod implicit;
 mod polynomial;
+mod quadrature;
 mod statement;
 mod term;
 mod verdict;

@@ -58,6 +58,15 @@ pub enum Node {
     RealPower(Term, Term),
     /// The derivative of this order of an unknown function, at a term.
     Value(Function, u32, Term),
+    /// The letter that an integral binds.
+    Bound,
+    /// A number: the integral of a term in the bound letter alone, from one closed term to another. It is shown to have a value
+    /// when it is added. What is inside is no part of what it stands in.
+    Integral {
+        of: Term,
+        low: Term,
+        high: Term,
+    },
 }
 
 /// All terms of one statement: each is kept once, so that equal terms have equal numbers.
@@ -67,6 +76,8 @@ pub struct Terms {
     numbers: HashMap<Node, Term, BuildHasherDefault<Mixed>>,
     /// Whether a symbol or a value of an unknown function is inside, by the number of the term.
     open: Vec<bool>,
+    /// Bounds of each integral.
+    integrals: TermMap<[Rational; 2]>,
     /// How each symbol is printed, by its number.
     symbols: Vec<String>,
     /// How each unknown function is printed, by its number.
@@ -83,13 +94,37 @@ impl Terms {
         if let Some(&known) = self.numbers.get(&node) {
             return known;
         }
+        // an integral is added with its bounds
+        match node {
+            Node::Integral { .. } => self.add(Node::Pi),
+            node => self.push(node),
+        }
+    }
+
+    fn push(&mut self, node: Node) -> Term {
         let term = Term(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
-        let open = matches!(node, Node::Symbol(_) | Node::Value(..))
+        let open = matches!(node, Node::Symbol(_) | Node::Value(..) | Node::Bound)
             || parts_of(&node).any(|part| self.open.get(part.0 as usize).is_none_or(|&open| open));
         self.open.push(open);
         self.numbers.insert(node.clone(), term);
         self.nodes.push(node);
         term
+    }
+
+    /// Adds an integral with its bounds, which are shown.
+    pub(super) fn add_integral(&mut self, [of, low, high]: [Term; 3], bounds: [Rational; 2]) -> Term {
+        let node = Node::Integral { of, low, high };
+        let term = match self.numbers.get(&node) {
+            Some(&known) => known,
+            None => self.push(node),
+        };
+        self.integrals.insert(term, bounds);
+        term
+    }
+
+    /// Bounds of an integral.
+    pub fn bounds(&self, integral: Term) -> Option<&[Rational; 2]> {
+        self.integrals.get(&integral)
     }
 
     /// The node of a term of this store.
@@ -225,10 +260,13 @@ impl Terms {
     pub(super) fn copied(&mut self, other: &Self, term: Term) -> Term {
         let mut numbers: TermMap<Term> = TermMap::default();
         for inner in other.inside(term) {
-            let node = other
-                .node(inner)
-                .with_parts(&|part| numbers.get(&part).copied().unwrap_or(part));
-            let copy = self.add(node);
+            let copy = match (other.node(inner), other.bounds(inner)) {
+                (&Node::Integral { of, low, high }, Some(bounds)) => {
+                    let parts = [of, low, high].map(|part| self.copied(other, part));
+                    self.add_integral(parts, bounds.clone())
+                }
+                (node, _) => self.add(node.with_parts(&|part| numbers.get(&part).copied().unwrap_or(part))),
+            };
             numbers.insert(inner, copy);
         }
         numbers.get(&term).copied().unwrap_or(term)
@@ -319,7 +357,9 @@ impl Node {
 /// The terms one step inside a node.
 fn parts_of(node: &Node) -> impl Iterator<Item = Term> {
     let (many, few): (&[Term], [Option<Term>; 2]) = match node {
-        Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) => (&[], [None, None]),
+        Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) | Node::Bound | Node::Integral { .. } => {
+            (&[], [None, None])
+        }
         Node::Sum(parts) | Node::Product(parts) => (parts, [None, None]),
         Node::Power(base, _) => (&[], [Some(*base), None]),
         Node::Quotient(a, b) | Node::RealPower(a, b) => (&[], [Some(*a), Some(*b)]),

@@ -152,7 +152,7 @@ def ratio(a, b):
 
 def parts(node):
     kind = node[0]
-    if kind in ("number", "pi", "i", "symbol"):
+    if kind in ("number", "pi", "i", "symbol", "bound", "integral"):
         return ()
     if kind in ("sum", "product"):
         return node[1]
@@ -165,7 +165,7 @@ def parts(node):
 
 def with_parts(node, new):
     kind = node[0]
-    if kind in ("number", "pi", "i", "symbol"):
+    if kind in ("number", "pi", "i", "symbol", "bound", "integral"):
         return node
     if kind in ("sum", "product"):
         return (kind, tuple(new))
@@ -500,8 +500,19 @@ class Statement:
 
     # values of numbers
 
-    def evaluate(self, term, symbol=None, value=None):
-        """The value of a term; `symbol` and `value` give those of symbols and of unknown functions."""
+    def integral(self, of, low, high):
+        """The value of an integral over numbers, by two rules that agree."""
+        low, high = self.evaluate(low), self.evaluate(high)
+        with mpmath.workdps(50):
+            of_x = lambda x: self.evaluate(of, bound=x)
+            found = mpmath.quad(of_x, [low, high])
+            other = mpmath.quad(of_x, mpmath.linspace(low, high, 8))
+        require(mpmath.isfinite(found) and abs(found - other) <= NEAR * (1 + abs(found)), "an integral without a value")
+        return found
+
+    def evaluate(self, term, symbol=None, value=None, bound=None):
+        """The value of a term; `symbol` and `value` give those of symbols and of unknown functions, `bound` that of the letter
+        of an integral."""
         done = {}
         for inner in self.inside(term):
             node = self.nodes[inner]
@@ -512,6 +523,11 @@ class Statement:
                 result = +mpmath.pi
             elif kind == "i":
                 result = mpmath.mpc(0, 1)
+            elif kind == "bound":
+                require(bound is not None, "a number with the letter of an integral in it")
+                result = bound
+            elif kind == "integral":
+                result = self.integral(*node[1:])
             elif kind == "symbol":
                 require(symbol is not None or node[1] in self.definitions, "a number with a symbol in it")
                 result = self.evaluate(self.definitions[node[1]], symbol, value) if node[1] in self.definitions else symbol(node[1])
@@ -562,7 +578,9 @@ class Statement:
         if exact is not None:
             return (exact > 0) - (exact < 0) or None
         found = self.value_of(polynomial)
-        if found is None or abs(found[0]) <= SMALL * found[1]:
+        inner = (self.nodes[inner] for term in generators(polynomial) for inner in self.inside(term))
+        small = 1000 * NEAR if any(node[0] == "integral" for node in inner) else SMALL
+        if found is None or abs(found[0]) <= small * found[1]:
             return None
         # rounding within terms shows with more digits
         with mpmath.workdps(3 * mpmath.mp.dps):
@@ -1071,7 +1089,7 @@ def check_proof(statement, certificate):
 def check_contradiction(statement, certificate):
     proof = Proof(statement, certificate)
     proof.follow(certificate["steps"])
-    require(proof.absurd, "the steps lead to no contradiction")
+    require(proof.absurd and not proof.excluded, "the steps lead to no contradiction")
 
 
 # --- points ----------------------------------------------------------------------------------------------------------
@@ -1112,7 +1130,7 @@ class Point:
         bare.givens, bare.goals, bare.maps = [], [], []
         proof = Proof(bare, certificate)
         proof.follow(certificate["steps"])
-        require(not proof.absurd, "numbers contradict each other")
+        require(not proof.absurd and not proof.excluded, "numbers contradict each other, or a set is excluded at a point")
         # terms that the steps made keep their numbers
         for node in bare.nodes[len(self.s.nodes):]:
             self.s.add(node)
@@ -1482,7 +1500,7 @@ class Values:
     """Random values of all symbols and functions, by the names in which formulas are printed."""
 
     def __init__(self, statement, seed, definitions=(), maps=()):
-        self.s, self.seed, self.numbers = statement, seed, {}
+        self.s, self.seed, self.numbers, self.bound = statement, seed, {}, {}
         self.definitions, self.maps = dict(definitions), dict(maps)
         # beyond seeds with values of formulas over the reals, formulas are compared over the complex numbers
         self.anywhere = seed >= 60
@@ -1512,12 +1530,24 @@ class Values:
     # of the formulas as printed
 
     def __call__(self, name):
+        if name in self.bound:
+            return self.bound[name]
         meaning = self.definitions.get(name)
         return self.draw(name) if meaning is None else meaning(self)
 
     def number(self, text):
         value = Fraction(text)
         return mpmath.mpf(value.numerator) / value.denominator
+
+    def integral(self, of, by, low, high):
+        def at(x):
+            self.bound[by] = x
+            return of()
+
+        with mpmath.workdps(50):
+            found = mpmath.quad(at, [low, high])
+        self.bound.pop(by, None)
+        return found
 
     def root(self, of, index):
         if mpmath.im(of) == 0 and mpmath.re(of) < 0 and not self.s.complex and index % 2 == 0 and not self.anywhere:

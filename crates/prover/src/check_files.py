@@ -2,7 +2,9 @@
 
 # --- files of proof data ---------------------------------------------------------------------------------------------
 
+import contextlib  # noqa: E402
 import re  # noqa: E402
+import signal  # noqa: E402
 
 SCHEMA = json.loads(
     r"""
@@ -10,6 +12,7 @@ SCHEMA = json.loads(
 )
 LARGEST_FILE = 1 << 26
 LARGEST_MEMORY = 1 << 32
+LONGEST = 120
 
 
 def named(value):
@@ -88,7 +91,27 @@ def check_file(path):
     require(isinstance(data, dict) and data.get("format") == "vibro-audit-proof", "this is no proof data of vibro-audit")
     require(data.get("version") == 1, "version %s: this program checks version 1" % named(data.get("version")))
     fit(data, SCHEMA, "data")
-    return check(data)
+    with limited(LONGEST):
+        return check(data)
+
+
+@contextlib.contextmanager
+def limited(seconds):
+    """Refuses what is not done in time, where the system can tell."""
+
+    def stop(*_):
+        raise Refused("it takes longer than %d s" % seconds)
+
+    if not hasattr(signal, "setitimer"):
+        yield
+        return
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
 
 
 def serve():

@@ -86,6 +86,7 @@ impl Program {
             let node = terms.node(term).clone();
             let number = match &node {
                 Node::Number(value) => value.0.to_f64().value(),
+                Node::Integral { .. } => terms.bounds(term).map_or(f64::NAN, |[low, _]| low.0.to_f64().value()),
                 _ => f64::NAN,
             };
             (node, terms.parts(term).iter().map(place).collect(), number)
@@ -110,7 +111,7 @@ impl Program {
             };
             let all = || (0..parts.len()).map(of);
             let value = match node {
-                Node::Number(_) => Sized::plain((*number, 0.0)),
+                Node::Number(_) | Node::Integral { .. } => Sized::plain((*number, 0.0)),
                 Node::Pi => Sized::plain((std::f64::consts::PI, 0.0)),
                 Node::Imaginary => Sized::plain((0.0, 1.0)),
                 Node::Symbol(symbol) => symbols.get(symbol).copied().map_or(Sized::NONE, Sized::plain),
@@ -139,7 +140,7 @@ impl Program {
                 }
                 Node::RealPower(..) => Sized::plain(real_power(of(0).value, of(1).value, self.real)),
                 Node::Elementary(function, _) => Sized::plain(elementary(*function, of(0).value, self.real)),
-                Node::Value(..) => Sized::NONE,
+                Node::Value(..) | Node::Bound => Sized::NONE,
             };
             values.push(value);
         }

@@ -3,8 +3,8 @@
 use claims::{Local, Question, Statements};
 use kernel::Symbol;
 use texmath::{
-    Condition, Elementary, Equation, Invariant, Map, Name, Relation, Symbols, Tree, flies, index_of, pair_of,
-    subscript_of,
+    Condition, Elementary, Equation, Invariant, Map, Name, Operation, Relation, Symbols, Tree, flies, index_of,
+    pair_of, subscript_of,
 };
 
 /// All formulas of a question.
@@ -267,7 +267,20 @@ impl Within<'_> {
             Tree::PlusMinus(body) if self.upper => of(body),
             Tree::MinusPlus(body) if !self.upper => of(body),
             Tree::PlusMinus(body) | Tree::MinusPlus(body) => format!("(-{})", of(body)),
-            Tree::Operation(..) => "v.operation()".to_owned(),
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Integral {
+                    of: integrand,
+                    by,
+                    limits: Some((low, high)),
+                } => format!(
+                    "v.integral(lambda: {}, {}, {}, {})",
+                    of(integrand),
+                    quoted(&by.to_string()),
+                    of(low),
+                    of(high)
+                ),
+                _ => "v.operation()".to_owned(),
+            },
         }
     }
 

@@ -54,7 +54,8 @@ use claims::{
     Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains,
     under_conditions, values, word_question,
 };
-use texmath::{DoubtKind, Equation, Name, Operation, Tree, any_side, is_opaque};
+use std::cell::Cell;
+use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
 
 /// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
 fn negative_power(equation: &Equation) -> Option<Tree> {
@@ -344,12 +345,39 @@ impl<'a> Search<'a> {
         Some(decision)
     }
 
+    /// Decides a claim by the first antiderivatives that are found for its integrals; by others where that leaves it open, and by
+    /// none.
     fn decide(&mut self, sheet: &Sheet, position: usize) -> Decision {
-        let goals = match goals(sheet, position) {
-            Ok(goals) => goals,
-            Err(decision) => return *decision,
+        let known = self.known();
+        let (first, ways) = self.decide_by(sheet, position, Some(0));
+        let is_open = |decision: &Decision| decision.verdict == Verdict::Undecided && !decision.is_vacuous;
+        if !is_open(&first) || !holds_integrals(sheet, position) {
+            return first;
+        }
+        for place in (1..ways.min(MOST_WAYS)).map(Some).chain([None]) {
+            self.forget(known);
+            let (decision, _) = self.decide_by(sheet, position, place);
+            if !is_open(&decision) && decision.verdict != Verdict::Unread {
+                return decision;
+            }
+        }
+        self.forget(known);
+        first
+    }
+
+    /// Decides a claim by the antiderivatives at a place among those that are found, or by none; and how many are found at most.
+    fn decide_by(&mut self, sheet: &Sheet, position: usize, place: Option<usize>) -> (Decision, usize) {
+        let ways = Cell::new(0);
+        let decision = match goals(sheet, position, place, &ways) {
+            Ok(goals) => self.decide_goals(sheet, position, &goals),
+            Err(decision) => *decision,
         };
-        let decision = self.together(&goals);
+        (decision, ways.get())
+    }
+
+    /// Decides a claim by the goals that it comes to.
+    fn decide_goals(&mut self, sheet: &Sheet, position: usize, goals: &Reduced) -> Decision {
+        let decision = self.together(goals);
         let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
         let further = match (decision.verdict, goals.sufficient.as_slice()) {
             (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
@@ -366,7 +394,7 @@ impl<'a> Search<'a> {
             _ => decision,
         };
         let decision = match decision.verdict {
-            Verdict::Undecided if !decision.is_vacuous => self.under_conditions(&goals).unwrap_or(decision),
+            Verdict::Undecided if !decision.is_vacuous => self.under_conditions(goals).unwrap_or(decision),
             _ => decision,
         };
         let thin = match (decision.verdict, goals.sufficient.as_slice()) {
@@ -660,10 +688,27 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The goals that a claim comes to; itself, where it is about numbers.
-fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
+/// Returns true if a definite integral stands in a claim.
+fn holds_integrals(sheet: &Sheet, position: usize) -> bool {
+    let is_integral = |operation: &Operation| matches!(operation, Operation::Integral { limits: Some(_), .. });
+    let entry = sheet.entries.get(position);
+    entry.is_some_and(|entry| entry.equations.iter().any(|own| holds(own, &is_integral)))
+}
+
+/// The most antiderivatives of one integral that are tried.
+const MOST_WAYS: usize = 3;
+
+/// The goals that a claim comes to by the antiderivatives at a place among those that are found, of which it counts the most;
+/// itself, where it is about numbers.
+fn goals(sheet: &Sheet, position: usize, place: Option<usize>, ways: &Cell<usize>) -> Result<Reduced, Box<Decision>> {
     let statements = Decision::without_search(sheet, position)?;
-    match reduced(&statements, &sheet.symbols) {
+    let search = |of: &Tree, by: &Name, symbols: &Symbols| {
+        let mut found = integration::antiderivatives(of, by, symbols);
+        ways.set(ways.get().max(found.len()));
+        let last = found.len().checked_sub(1)?;
+        Some(found.swap_remove(place?.min(last)))
+    };
+    match reduced(&statements, &sheet.symbols, &search) {
         Ok(Some(reduced)) => Ok(reduced),
         Ok(None) => {
             let goal = Goal {
@@ -857,7 +902,7 @@ fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<V
 
 /// The certificates that the search finds for the questions of the claim at a position, each with its statement.
 pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::Certificate>> {
-    let Ok(goals) = goals(sheet, position) else {
+    let Ok(goals) = goals(sheet, position, Some(0), &Cell::new(0)) else {
         return Vec::new();
     };
     let of = |goal: &Goal| claims::questions(&goal.statements, &goal.symbols).unwrap_or_default();

@@ -49,6 +49,11 @@ fn print(terms: &Terms, term: Term) -> (String, Binding) {
         },
         Node::Pi => ("\\pi".into(), Binding::Atom),
         Node::Imaginary => ("i".into(), Binding::Atom),
+        Node::Bound => ("x".into(), Binding::Atom),
+        Node::Integral { of, low, high } => {
+            let [of, low, high] = [of, low, high].map(|part| tex(terms, *part));
+            (format!("\\int_{{{low}}}^{{{high}}} {of} dx"), Binding::Sum)
+        }
         Node::Symbol(symbol) => (terms.symbol_name(*symbol).to_string(), Binding::Atom),
         Node::Sum(parts) => {
             let mut text = String::new();

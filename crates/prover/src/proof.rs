@@ -363,6 +363,7 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
                 session.axiom("SineOfArccos", &[of]);
             }
             Node::Elementary(Elementary::Arctan, of) => {
+                session.axiom("ArctanOfZero", &[of]);
                 session.axiom("SineOfArctan", &[of]);
                 session.axiom("CosineOfArctan", &[of]);
             }

@@ -388,6 +388,9 @@ impl Numbers {
         while let Some(term) = open.pop() {
             if term.0 as usize >= base && kept.insert(term) {
                 open.extend(terms.parts(term));
+                if let Node::Integral { of, low, high } = *terms.node(term) {
+                    open.extend([of, low, high]);
+                }
             }
         }
         let kept: Vec<Term> = kept.into_iter().collect();
@@ -478,6 +481,16 @@ fn node(numbers: &Numbers, terms: &Terms, term: Term) -> String {
     list(match terms.node(term) {
         Node::Number(value) => vec![quoted("number"), quoted(&value.to_string())],
         Node::Pi => vec![quoted("pi")],
+        Node::Bound => vec![quoted("bound")],
+        Node::Integral {
+            of: integrand,
+            low,
+            high,
+        } => {
+            let mut parts = vec![quoted("integral")];
+            parts.extend([integrand, low, high].map(of));
+            parts
+        }
         Node::Imaginary => vec![quoted("i")],
         Node::Symbol(symbol) => vec![quoted("symbol"), symbol.0.to_string()],
         Node::Sum(parts) => vec![quoted("sum"), numbers.list(parts)],

@@ -700,7 +700,7 @@ impl<'a> Session<'a> {
                 _ => (6, 0),
             },
             Node::Value(..) => (3, -(generator.0 as i32)),
-            Node::Pi | Node::Imaginary => (9, 0),
+            Node::Pi | Node::Imaginary | Node::Bound | Node::Integral { .. } => (9, 0),
             _ => (4, -(generator.0 as i32)),
         }
     }

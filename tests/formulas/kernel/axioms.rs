@@ -132,6 +132,10 @@ fn cases() -> Vec<Case> {
             axiom("ExpOfZero", &[own.terms_mut().difference(x, x)])
         });
         add(complex, &[], free, |_| axiom("SineOfPi", &[]));
+        add(complex, &[], free, |own| {
+            let x = of(own, "x");
+            axiom("ArctanOfZero", &[own.terms_mut().difference(x, x)])
+        });
         add(complex, &[], free, |_| axiom("CosineOfPi", &[]));
         add(complex, &[], free, |own| axiom("SineOfHalfTurns", &[of(own, "n")]));
         add(complex, &[], free, |own| axiom("CosineOfTurns", &[of(own, "n")]));

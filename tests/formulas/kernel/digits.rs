@@ -253,7 +253,7 @@ pub fn value(statement: &Statement, term: Term, at: &HashMap<Symbol, Value>) -> 
                 Elementary::Arctan => of.arctan()?,
             }
         }
-        Node::Value(..) => return None,
+        Node::Value(..) | Node::Bound | Node::Integral { .. } => return None,
     })
 }
 

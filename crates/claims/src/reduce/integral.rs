@@ -2,17 +2,17 @@
 
 use super::super::definition::CONSTANT_OF_INTEGRATION;
 use super::super::premise::Statements;
-use super::antiderivative::{antiderivative, quadratic_exponential};
 use super::build::{
     call, difference, infinity, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol,
 };
 use super::derivative::{By, mentions};
 use super::evaluate::evaluated;
+use super::gaussian::quadratic_exponential;
 use super::limit::{as_goals, of_limit};
-use super::{Goal, Reduced, Rule, defined, fresh};
+use super::{Antiderivatives, Goal, Reduced, Rule, defined, fresh};
 use texmath::{
-    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, holds_indefinite, mapped,
-    nodes_of, rewrite, speaks_of,
+    Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, holds_indefinite,
+    mapped, nodes_of, rewrite, speaks_of,
 };
 
 /// The most nodes of an antiderivative.
@@ -123,7 +123,11 @@ fn integrand(tree: &Tree) -> Option<(&Tree, &Name)> {
 
 /// The claim with each definite integral replaced by the difference of an antiderivative, which holds where the lemmas
 /// do; `None` where there is no such integral, or no antiderivative is found.
-pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+pub(super) fn by_antiderivatives(
+    statements: &Statements,
+    symbols: &Symbols,
+    search: Antiderivatives,
+) -> Result<Option<Reduced>, String> {
     let statements = &defined::with_domain(&gathered(statements, symbols)?, symbols);
     let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
     let is_any_complex = super::trees(statements).into_iter().any(is_complex);
@@ -136,7 +140,7 @@ pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> 
             if is_any_complex {
                 return Ok(None);
             }
-            let Some(value) = value_of(&operation, statements, symbols)? else {
+            let Some(value) = value_of(&operation, statements, symbols, search)? else {
                 return Ok(None);
             };
             lemmas.extend(value.lemmas);
@@ -156,6 +160,41 @@ pub(super) fn by_antiderivatives(statements: &Statements, symbols: &Symbols) -> 
         converging,
         ..Reduced::default()
     }))
+}
+
+/// Returns true if all operations of statements are integrals of real functions of their letters alone, between numbers.
+pub(super) fn are_numbers(statements: &Statements, symbols: &Symbols) -> bool {
+    let all = super::trees(statements);
+    let is_number = |operation: &Operation| {
+        let Operation::Integral {
+            of,
+            by,
+            limits: Some((low, high)),
+        } = operation
+        else {
+            return false;
+        };
+        let is_free = |tree: &Tree| {
+            any(tree, &mut |node| match node {
+                Tree::Symbol(name, _) => name != by && (symbols.declares(name) || !texmath::is_constant(name)),
+                Tree::Call(name, ..) => symbols.is_function(name) || Elementary::named(name).is_none(),
+                Tree::Operation(..) => true,
+                _ => false,
+            })
+        };
+        ![of, low, high].into_iter().any(is_free)
+            && ![low, high]
+                .into_iter()
+                .any(|limit| mentions(limit, by) || infinity(limit).is_some())
+    };
+    let operations: Vec<Operation> = all.iter().flat_map(|tree| outermost(tree)).collect();
+    let values: Vec<(Operation, Tree)> = operations.iter().map(|own| (own.clone(), integer(0))).collect();
+    !operations.is_empty()
+        && operations.iter().all(is_number)
+        && !all.iter().any(|tree| symbols.may_be_complex(tree))
+        && !all
+            .iter()
+            .any(|tree| super::has_operation(&replaced(tree, &values), symbols))
 }
 
 /// The tree with operations replaced by their values.
@@ -199,7 +238,12 @@ struct Value {
 }
 
 /// The value of a definite integral; `None` where no antiderivative is found.
-fn value_of(operation: &Operation, statements: &Statements, symbols: &Symbols) -> Result<Option<Value>, String> {
+fn value_of(
+    operation: &Operation,
+    statements: &Statements,
+    symbols: &Symbols,
+    search: Antiderivatives,
+) -> Result<Option<Value>, String> {
     let Operation::Integral {
         of,
         by,
@@ -218,13 +262,14 @@ fn value_of(operation: &Operation, statements: &Statements, symbols: &Symbols) -
         of: rewrite(of, &|name| (name == by).then(|| symbol(&letter))),
         letter: &letter,
         limits: [low, high],
+        search,
     };
     // the inner integrals first, at each number of the interval
     let (mut inner, mut lemmas, mut converging) = (Vec::new(), Vec::new(), Vec::new());
     let mut within = statements.clone();
-    within.assume.extend(definite.interval()?);
+    within.assume.extend(definite.interval(true)?);
     for operation in outermost(&definite.of) {
-        let Some(value) = value_of(&operation, &within, &extended)? else {
+        let Some(value) = value_of(&operation, &within, &extended, search)? else {
             return Ok(None);
         };
         lemmas.extend(value.lemmas);
@@ -383,6 +428,7 @@ struct Definite<'a> {
     /// What it is integrated by, which stands for any number of the interval.
     letter: &'a Name,
     limits: [&'a Tree; 2],
+    search: Antiderivatives<'a>,
 }
 
 impl Definite<'_> {
@@ -391,7 +437,7 @@ impl Definite<'_> {
         if let Some(found) = self.gaussian()? {
             return Ok(Some(found));
         }
-        let Some(whole) = antiderivative(&self.of, self.letter, self.symbols) else {
+        let Some(whole) = (self.search)(&self.of, self.letter, self.symbols) else {
             return Ok(None);
         };
         let slope = By {
@@ -399,9 +445,14 @@ impl Definite<'_> {
             name: self.letter,
         }
         .of(&whole)?;
-        let mut claims = self.conditions(&[&self.of, &whole, &slope])?;
-        claims.push(Equation::between(slope, self.of.clone()));
-        let mut lemmas = self.lemmas(Rule::IntegralAntiderivative, "the antiderivative", claims)?;
+        // both are continuous on the whole interval, and one is the slope of the other within it
+        let (rule, about) = (Rule::IntegralAntiderivative, "the antiderivative");
+        let closed = self.conditions(&[&self.of, &whole])?;
+        let mut lemmas = self.lemmas(rule, about, closed.clone(), self.interval(true)?)?;
+        let mut within = self.conditions(&[&slope])?;
+        within.retain(|condition| !closed.contains(condition));
+        within.push(Equation::between(slope, self.of.clone()));
+        lemmas.extend(self.lemmas(rule, about, within, self.interval(false)?)?);
         if nodes_of(&whole) > LARGEST {
             return Err("the value of an integral is too large".to_owned());
         }
@@ -466,7 +517,8 @@ impl Definite<'_> {
             self.of.clone(),
             product(vec![factor.clone(), call("\\exp", exponent)]),
         ));
-        let lemmas = self.lemmas(Rule::IntegralGaussian, "the integral of a normal distribution", claims)?;
+        let about = "the integral of a normal distribution";
+        let lemmas = self.lemmas(Rule::IntegralGaussian, about, claims, self.interval(true)?)?;
         let least = quotient(power(linear, 2), product(vec![integer(4), square.clone()]));
         let pi = symbol(&plain("\\pi"));
         let value = product(vec![
@@ -498,11 +550,17 @@ impl Definite<'_> {
         Ok(needed)
     }
 
-    /// The claims at each number of the interval, each as a goal of its own, once.
-    fn lemmas(&self, rule: Rule, about: &str, claims: Vec<Equation>) -> Result<Vec<Goal>, String> {
+    /// The claims at each number of an interval, each as a goal of its own, once.
+    fn lemmas(
+        &self,
+        rule: Rule,
+        about: &str,
+        claims: Vec<Equation>,
+        interval: Option<Condition>,
+    ) -> Result<Vec<Goal>, String> {
         let mut alone = self.statements.clone().by(rule);
         alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
-        alone.assume.extend(self.interval()?);
+        alone.assume.extend(interval);
         let mut known: Vec<Equation> = Vec::new();
         let mut lemmas = Vec::new();
         for claim in claims {
@@ -517,17 +575,21 @@ impl Definite<'_> {
         Ok(lemmas)
     }
 
-    /// That the letter lies between the limits, these included; nothing where these are all numbers.
-    fn interval(&self) -> Result<Option<Condition>, String> {
+    /// That the letter lies between the limits, these included or not; nothing where these are all numbers.
+    fn interval(&self, is_closed: bool) -> Result<Option<Condition>, String> {
         let [low, high] = self.limits;
         let letter = || symbol(self.letter);
+        let (below, above) = match is_closed {
+            true => (Relation::LessOrEqual, Relation::GreaterOrEqual),
+            false => (Relation::Less, Relation::Greater),
+        };
         let (left, relation, right) = match (infinity(low), infinity(high)) {
             (None, None) => {
                 let between = vec![difference(letter(), low.clone()), difference(letter(), high.clone())];
-                (product(between), Relation::LessOrEqual, integer(0))
+                (product(between), below, integer(0))
             }
-            (None, Some(true)) => (letter(), Relation::GreaterOrEqual, low.clone()),
-            (Some(false), None) => (letter(), Relation::LessOrEqual, high.clone()),
+            (None, Some(true)) => (letter(), above, low.clone()),
+            (Some(false), None) => (letter(), below, high.clone()),
             (Some(false), Some(true)) => return Ok(None),
             _ => return Err("an integral from infinity down, or to minus infinity".to_owned()),
         };

@@ -4,7 +4,6 @@
 //! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names. The rules are
 //! recorded in the statements that they rewrite, and so in each goal that comes of them.
 
-mod antiderivative;
 mod build;
 mod cases;
 mod complex;
@@ -13,8 +12,8 @@ mod defined;
 mod derivative;
 mod divisors;
 mod evaluate;
-mod exponential;
 mod factorial;
+mod gaussian;
 mod induction;
 mod inequality;
 mod instances;
@@ -23,7 +22,6 @@ mod integral;
 mod law;
 mod limit;
 mod matrix;
-mod parts;
 mod powers;
 mod ranges;
 mod recurrence;
@@ -36,6 +34,7 @@ mod telescope;
 mod thin;
 
 use super::definition::{Local, inlined};
+use super::elaborate;
 use super::premise::Statements;
 pub use divisors::divisors;
 pub use inequality::ways as other_ways;
@@ -48,6 +47,9 @@ use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, nam
 
 /// The most primes of a name that stands for a number in a proof.
 const MOST_PRIMES: u8 = 9;
+
+/// A search for antiderivatives by a letter, of which nothing is trusted: what it finds is shown to be one.
+pub type Antiderivatives<'a> = &'a dyn Fn(&Tree, &Name, &Symbols) -> Option<Tree>;
 
 /// A claim without operations.
 #[derive(Clone, Debug)]
@@ -124,13 +126,13 @@ fn trees(statements: &Statements) -> Vec<&Tree> {
 ///
 /// # Errors
 /// Why an operation has no meaning here, or is not reduced.
-pub fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+pub fn reduced(statements: &Statements, symbols: &Symbols, search: Antiderivatives) -> Result<Option<Reduced>, String> {
     if !complex::takes_part(statements, symbols) {
-        return without_operations(statements, symbols);
+        return without_operations(statements, symbols, search);
     }
     let written = written_out(statements, symbols)?;
     complex::refuse_inside(&written, symbols)?;
-    let reduced = match without_operations(&written, symbols)? {
+    let reduced = match without_operations(&written, symbols, search)? {
         Some(reduced) => reduced,
         None => Reduced::itself(Goal::of(&written, symbols, String::new())),
     };
@@ -138,7 +140,11 @@ pub fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Option<Redu
 }
 
 /// What a claim with operations comes to, of real or of complex numbers.
-fn without_operations(statements: &Statements, symbols: &Symbols) -> Result<Option<Reduced>, String> {
+fn without_operations(
+    statements: &Statements,
+    symbols: &Symbols,
+    search: Antiderivatives,
+) -> Result<Option<Reduced>, String> {
     let setting = || sequences::Setting::of(statements, symbols).ok();
     if sequences::is_spoken_of(statements, symbols) && setting().is_some_and(|own| own.has_multiples(statements)) {
         return of_sequences(&written_out(statements, symbols)?, symbols).map(Some);
@@ -182,7 +188,7 @@ fn without_operations(statements: &Statements, symbols: &Symbols) -> Result<Opti
                 goals.push(Goal::of(&evaluated, symbols, part));
             }
             Err(reason) if part.is_empty() => {
-                let mut reduced = over_an_index(&statements, symbols, reason)?;
+                let mut reduced = over_an_index(&statements, symbols, search, reason)?;
                 reduced.lemmas.extend(lemmas);
                 return Ok(Some(reduced));
             }
@@ -248,9 +254,21 @@ fn of_sequences(statements: &Statements, symbols: &Symbols) -> Result<Reduced, S
 }
 
 /// What a claim with definite integrals, or with sums and products of symbolic length, comes to.
-fn over_an_index(statements: &Statements, symbols: &Symbols, reason: String) -> Result<Reduced, String> {
-    if let Some(found) = integral::by_antiderivatives(statements, symbols)? {
+fn over_an_index(
+    statements: &Statements,
+    symbols: &Symbols,
+    search: Antiderivatives,
+    reason: String,
+) -> Result<Reduced, String> {
+    if let Some(found) = integral::by_antiderivatives(statements, symbols, search)? {
         return Ok(found);
+    }
+    if integral::are_numbers(statements, symbols) {
+        let goal = Goal::of(statements, symbols, String::new());
+        // one that is not shown to have a value is not decided
+        if elaborate::questions(&goal.statements, &goal.symbols).is_ok() {
+            return Ok(Reduced::itself(goal));
+        }
     }
     if sequences::is_spoken_of(statements, symbols) {
         return of_sequences(statements, symbols);
@@ -261,7 +279,7 @@ fn over_an_index(statements: &Statements, symbols: &Symbols, reason: String) -> 
         Err(why) => (Vec::new(), why),
     };
     if necessary.is_empty() && sufficient.is_empty() {
-        let found = instances::with_integrals(statements, symbols);
+        let found = instances::with_integrals(statements, symbols, search);
         return found
             .map(|found| Reduced {
                 reason: reason.clone(),

@@ -92,21 +92,33 @@ fn plainly(conditions: &[Equation]) -> Vec<Equation> {
     all.iter().filter(|own| !is_implied(own)).cloned().collect()
 }
 
-/// A tree without the signs in front of it, and whether these make a minus.
+/// A tree without the signs in front of it, of its factors and of all of its terms, and whether these make a minus.
 fn without_sign(tree: &Tree) -> (bool, Tree) {
     match tree {
         Tree::Negate(inner) => {
             let (is_negative, inner) = without_sign(inner);
             (!is_negative, inner)
         }
+        Tree::Number(value) if *value < Rational::from_integer(0) => (true, Tree::Number(-value.clone())),
+        Tree::Sum(terms) => {
+            let (signs, parts): (Vec<bool>, Vec<Tree>) = terms.iter().map(without_sign).unzip();
+            match signs.into_iter().all(|is_negative| is_negative) {
+                true => (true, Tree::Sum(parts)),
+                false => (false, tree.clone()),
+            }
+        }
         Tree::Product(factors) => {
-            let minus = |factor: &&Tree| number_of(factor).is_some_and(|value| value == Rational::from_integer(-1));
-            let (signs, mut rest): (Vec<&Tree>, Vec<&Tree>) = factors.iter().partition(minus);
-            let tree = match rest.as_slice() {
-                [_] => rest.remove(0).clone(),
-                _ => Tree::Product(rest.into_iter().cloned().collect()),
+            let (signs, parts): (Vec<bool>, Vec<Tree>) = factors.iter().map(without_sign).unzip();
+            let is_one = |factor: &Tree| number_of(factor).is_some_and(|own| own == Rational::from_integer(1));
+            let mut rest: Vec<Tree> = parts.into_iter().filter(|factor| !is_one(factor)).collect();
+            let tree = match rest.len() {
+                1 => rest.remove(0),
+                _ => Tree::Product(rest),
             };
-            (signs.len() % 2 == 1, tree)
+            (
+                signs.into_iter().filter(|is_negative| *is_negative).count() % 2 == 1,
+                tree,
+            )
         }
         tree => (false, tree.clone()),
     }

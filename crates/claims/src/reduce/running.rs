@@ -1,8 +1,9 @@
 //! Claims about members of sequences by their premises at each index that the claim reaches.
 //!
-//! What is trusted: a premise with a running index holds wherever it has a value, from some first index on. Where each premise
-//! gives one sequence by members that come before, it gives the next member or says nothing of it: members from the first
-//! one that the claim names on go on to whole sequences, and so are a point of the premises.
+//! What is trusted: a premise with a running index holds wherever it has a value, from some first index on that nobody says, and
+//! the claim wherever its members are there. Where each premise gives one sequence by members that come before, it gives the
+//! next member or says nothing of it: members from the first one that the claim names on go on to whole sequences, and so
+//! are a point of the premises. A claim is refuted behind some members that it does not name alone.
 
 use super::super::premise::{Premise, Statements};
 use super::build::{integer, product, sum, symbol};
@@ -13,6 +14,9 @@ use texmath::{Condition, Equation, Name, Relation, Tree, any, place_of, rewrite}
 
 /// The most indices between the first and the last member that a claim names.
 const MOST_PLACES: i64 = 12;
+
+/// How many indices before the first member that a claim names sequences may have begun.
+const BEFORE: i64 = 3;
 
 /// A member of a sequence: its index is a multiple of the running one, and a number.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -93,12 +97,46 @@ pub(super) fn reduced(statements: &Statements, setting: &Setting) -> Result<Redu
     if named.iter().any(|member| member.multiple != 1) && !is_explicit {
         return Err("members at a multiple of the index of a sequence that no formula gives".to_owned());
     }
+    let (first, mut said) = reached(&named, &well_founded, 0, setting)?;
+    // a proof goes from the first members on, a point is found from the last ones back
+    said.reverse();
+    let mut sufficient = shown(&rest, &said, statements, setting)?;
+    let goal = |said: Vec<Premise>, assume: Option<Condition>, part: &str| {
+        let mut statements = rest.clone().by(Rule::SequenceInstances);
+        statements.premises.extend(said);
+        statements.assume.extend(assume);
+        setting.goal(&statements, part.to_owned())
+    };
+    sufficient.push(goal(said, None, "")?);
+    // wherever the sequences begin, they may have begun before
+    let (_, said) = reached(&named, &well_founded, BEFORE, setting)?;
+    let begun = Condition::Relation(Equation {
+        relation: Relation::GreaterOrEqual,
+        ..Equation::between(symbol(&setting.letter), integer(1 + BEFORE - first.min(0)))
+    });
+    Ok(Reduced {
+        necessary: vec![goal(said, Some(begun), "behind the first members")?],
+        sufficient,
+        ..Reduced::default()
+    })
+}
+
+/// The least offset of a member that is named, and what the premises say of these members and of those that these are given by,
+/// down to some indices before the least.
+fn reached(
+    named: &BTreeSet<Member>,
+    laws: &[Law],
+    before: i64,
+    setting: &Setting,
+) -> Result<(i64, Vec<Premise>), String> {
     let (mut first, mut said) = (None, Vec::new());
     let multiples: BTreeSet<i64> = named.iter().map(|member| member.multiple).collect();
     for multiple in multiples {
         let offsets = named.iter().filter(|member| member.multiple == multiple);
         let offsets: Vec<i64> = offsets.map(|member| member.offset).collect();
-        let (Some(&low), Some(&high)) = (offsets.iter().min(), offsets.iter().max()) else {
+        // the index is that of the premises, which hold there as they are written
+        let written = laws.iter().filter(|_| multiple == 1).map(Law::least);
+        let (Some(low), Some(&high)) = (offsets.iter().copied().chain(written).min(), offsets.iter().max()) else {
             continue;
         };
         if high.checked_sub(low).is_none_or(|places| places > MOST_PLACES) {
@@ -106,9 +144,9 @@ pub(super) fn reduced(statements: &Statements, setting: &Setting) -> Result<Redu
         }
         first = first.min(Some(low)).or(Some(low));
         // the last members first: what these are given by is needed too
-        let mut needed = named.clone();
+        let (low, mut needed) = (low - before, named.clone());
         for place in (low..=high).rev() {
-            for law in well_founded.iter().rev() {
+            for law in laws.iter().rev() {
                 let by = place - law.given.offset;
                 let given = Member {
                     multiple,
@@ -127,27 +165,7 @@ pub(super) fn reduced(statements: &Statements, setting: &Setting) -> Result<Redu
             }
         }
     }
-    let first = first.ok_or("no member of a sequence is spoken of")?;
-    let mut sufficient = shown(&rest, &said, statements, setting)?;
-    rest.premises.extend(said);
-    let goal = |statements: &Statements, part: &str| {
-        let goal = setting.goal(statements, part.to_owned())?;
-        Ok::<Goal, String>(Goal {
-            statements: goal.statements.by(Rule::SequenceInstances),
-            ..goal
-        })
-    };
-    sufficient.push(goal(&rest, "")?);
-    // wherever a sequence begins, it is there at positive indices
-    rest.assume.push(Condition::Relation(Equation {
-        relation: Relation::GreaterOrEqual,
-        ..Equation::between(symbol(&setting.letter), integer(1 - first.min(0)))
-    }));
-    Ok(Reduced {
-        necessary: vec![goal(&rest, "a positive index")?],
-        sufficient,
-        ..Reduced::default()
-    })
+    Ok((first.ok_or("no member of a sequence is spoken of")?, said))
 }
 
 /// That premises moved to other indices have a value there: where they have none, they say nothing.

@@ -1,6 +1,6 @@
 //! Logarithms and angles that an antiderivative may hold besides a rational part.
 
-use super::ansatz::Field;
+use super::field::Field;
 use super::fraction::{Fraction, times};
 use super::tangents::without_tangents;
 use super::tower::{Kind, Tower, VARIABLE};

@@ -4,6 +4,7 @@
 
 mod ansatz;
 mod candidates;
+mod field;
 mod fraction;
 mod linear;
 mod quartics;
@@ -13,7 +14,7 @@ mod tree;
 mod waves;
 
 use crate::algebra::{Steps, degree_in};
-use ansatz::Field;
+use field::Field;
 use fraction::Fraction;
 use kernel::Term;
 use numbers::{Field as _, Rational};

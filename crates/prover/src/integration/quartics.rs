@@ -2,8 +2,8 @@
 //!
 //! Source: Descartes' solution of the quartic by its resolvent cubic.
 
-use super::ansatz::Field;
 use super::candidates::{Candidate, Function};
+use super::field::Field;
 use super::fraction::Fraction;
 use super::tower::{Tower, one_of};
 use crate::algebra::{coefficients_in, degree_in, factors};
