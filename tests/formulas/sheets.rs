@@ -1054,7 +1054,7 @@ fn an_integral_is_taken_where_it_has_a_value() {
     for (tex, provided) in [
         (r"\int_0^\infty e^{-a x} dx = \frac{1}{a}", "a > 0"),
         (r"\int_{-\infty}^\infty e^{-a x^2} dx = \sqrt{\frac{\pi}{a}}", ""),
-        (r"\int_0^\infty e^{-t (\mu + a)} dt = \frac{1}{\mu + a}", r"a + \mu > 0"),
+        (r"\int_0^\infty e^{-t (\mu + a)} dt = \frac{1}{\mu + a}", r"\mu + a > 0"),
         (r"\int_p^q \frac{dx}{x} = \ln q - \ln p", ""),
         (r"\int_0^T \cos(a t) dt = \frac{\sin(a T)}{a}", ""),
     ] {
@@ -1065,6 +1065,16 @@ fn an_integral_is_taken_where_it_has_a_value() {
         r"\int_0^\infty x e^{-a x} dx = \frac{1}{a}",
     ] {
         assert_eq!(decide(tex).0, Verdict::Refuted, "{tex}");
+    }
+    // conditions of the limit of an antiderivative are none of convergence
+    for tex in [
+        r"\int_{-\infty}^\infty \frac{dx}{x^2 + a^2} = \frac{\pi}{a}",
+        r"\int_0^\infty e^{-\sqrt{a^2} x} dx = \frac{1}{a}",
+        r"\int_0^\infty a e^{-a x} dx = 1",
+        r"\int_0^\infty (p e^{-a x} + e^{-x}) dx = \frac{p + |a|}{a}",
+        r"\int_{-\infty}^\infty p e^{-a x^2} dx + |a| = p \sqrt{\frac{\pi}{|a|}} + a",
+    ] {
+        assert_ne!(decide(tex).0, Verdict::Proved, "{tex}");
     }
     // positive ends are not said
     assert_ne!(decide(r"\int_p^q \frac{dx}{x} = \ln \frac{q}{p}").0, Verdict::Refuted);

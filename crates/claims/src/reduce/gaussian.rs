@@ -1,4 +1,4 @@
-//! Exponentials of quadratic polynomials, of which integrals over all numbers are known.
+//! Multiples of exponentials of polynomials; of quadratic ones, integrals over all numbers are known.
 
 use super::build::{integer, is_zero, negative, plain, product, quotient, sum};
 use super::derivative::mentions;
@@ -9,29 +9,31 @@ const MOST: usize = 24;
 
 /// A factor and the coefficients, from the constant on, of the exponent of `c e^(u + v x + w x^2)`.
 pub(super) fn quadratic_exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tree, [Tree; 3])> {
+    let (factor, coefficients) = exponential(of, by, symbols)?;
+    Some((factor, coefficients.try_into().ok()?))
+}
+
+/// A factor and the coefficients, from the constant on, of the polynomial in the exponent of a multiple of an exponential.
+pub(super) fn exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tree, Vec<Tree>)> {
     let search = Search { by, symbols };
     match of {
         Tree::Negate(inner) => {
-            let (factor, coefficients) = quadratic_exponential(inner, by, symbols)?;
+            let (factor, coefficients) = exponential(inner, by, symbols)?;
             Some((negative(factor), coefficients))
         }
         Tree::Quotient(above, below, _) if !mentions(below, by) => {
-            let (factor, coefficients) = quadratic_exponential(above, by, symbols)?;
+            let (factor, coefficients) = exponential(above, by, symbols)?;
             Some((quotient(factor, (**below).clone()), coefficients))
         }
         Tree::Product(factors) => {
             let (mut rest, mut free): (Vec<Tree>, Vec<Tree>) =
                 factors.iter().cloned().partition(|factor| mentions(factor, by));
             let single = rest.pop().filter(|_| rest.is_empty())?;
-            let (factor, coefficients) = quadratic_exponential(&single, by, symbols)?;
+            let (factor, coefficients) = exponential(&single, by, symbols)?;
             free.push(factor);
             Some((product(free), coefficients))
         }
-        tree => {
-            let coefficients = search.polynomial(&search.exponent(tree)?)?;
-            let coefficients: [Tree; 3] = coefficients.try_into().ok()?;
-            Some((integer(1), coefficients))
-        }
+        tree => Some((integer(1), search.polynomial(&search.exponent(tree)?)?)),
     }
 }
 

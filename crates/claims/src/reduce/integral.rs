@@ -10,9 +10,10 @@ use super::evaluate::evaluated;
 use super::gaussian::quadratic_exponential;
 use super::limit::{as_goals, of_limit};
 use super::{Antiderivatives, Goal, Reduced, Rule, defined, fresh};
+use numbers::{Field, Rational};
 use texmath::{
     Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, holds_indefinite,
-    mapped, nodes_of, rewrite, speaks_of,
+    mapped, nodes_of, number_of, rewrite, speaks_of,
 };
 
 /// The most nodes of an antiderivative.
@@ -465,15 +466,13 @@ impl Definite<'_> {
                 converging: Vec::new(),
             }));
         }
-        let (mut ends, mut converging) = (Vec::new(), Vec::new());
+        let mut ends = Vec::new();
         for limit in self.limits {
             ends.push(match infinity(limit) {
                 None => rewrite(&whole, &|name| (name == self.letter).then(|| limit.clone())),
                 Some(_) => {
                     // what does not move in the antiderivative has a value, by the lemmas
                     let (value, needed, _) = of_limit(self.statements, self.symbols, &whole, self.letter, limit)?;
-                    let orders = needed.iter().filter(|own| own.relation != Relation::Equal);
-                    converging.extend(orders.cloned());
                     lemmas.extend(as_goals(self.statements, self.symbols, needed));
                     value
                 }
@@ -484,8 +483,41 @@ impl Definite<'_> {
         Ok(Some(Value {
             tree: difference(high, low),
             lemmas,
-            converging,
+            converging: self.convergence().into_iter().collect(),
         }))
+    }
+
+    /// The condition without which an improper integral has no value: that the exponential decays in a multiple, by a number
+    /// other than 0, of a power times an exponential. Of other integrals none is known.
+    fn convergence(&self) -> Option<Equation> {
+        let [low, high] = self.limits;
+        let is_power = |factor: &Tree| match factor {
+            Tree::Symbol(name, _) => name == self.letter,
+            Tree::Power(base, 1.., _) => matches!(&**base, Tree::Symbol(name, _) if name == self.letter),
+            _ => false,
+        };
+        let exponential = match &self.of {
+            Tree::Product(factors) => {
+                let rest = factors.iter().filter(|factor| !is_power(factor));
+                product(rest.cloned().collect())
+            }
+            of => of.clone(),
+        };
+        let (factor, mut coefficients) = super::gaussian::exponential(&exponential, self.letter, self.symbols)?;
+        number_of(&factor).filter(|factor| *factor != Rational::from_integer(0))?;
+        let highest = coefficients.pop()?;
+        let relation = match (infinity(low), infinity(high), coefficients.as_slice()) {
+            (None, Some(true), [_]) => Relation::Less,
+            (Some(false), None, [_]) => Relation::Greater,
+            (Some(false), Some(true), [_, _]) => Relation::Less,
+            (None, Some(true), [_, linear]) if is_zero(linear) => Relation::Less,
+            _ => return None,
+        };
+        let of = highest;
+        Some(Equation {
+            relation,
+            ..Equation::between(of, integer(0))
+        })
     }
 
     /// The integral of e^(c + b x - a x^2) over all numbers, which is e^(c + b^2/(4 a)) \sqrt{\pi/a} for positive a; half
@@ -512,7 +544,7 @@ impl Definite<'_> {
             relation: Relation::Less,
             ..Equation::between(square.clone(), integer(0))
         };
-        claims.push(decays.clone());
+        claims.push(decays);
         claims.push(Equation::between(
             self.of.clone(),
             product(vec![factor.clone(), call("\\exp", exponent)]),
@@ -530,7 +562,7 @@ impl Definite<'_> {
         Ok(Some(Value {
             tree,
             lemmas,
-            converging: vec![decays],
+            converging: self.convergence().into_iter().collect(),
         }))
     }
 
