@@ -914,9 +914,10 @@ fn members_of_sequences_are_taken_at_each_index_that_a_claim_reaches() {
         ("z", r"b_n = \frac{1}{n}"),
         ("x", r"\phi_{n+1} = \phi_n + v_n"),
         ("v", r"v_{n+1} = \alpha v_n - \gamma \cos\phi_{n+1}"),
+        ("g", "g_n = d^n"),
     ];
     verdicts_of(
-        "parameters = ['\\alpha', '\\gamma']\nstates = ['a', 'b', 'v', '\\phi']\nindices = ['n']",
+        "parameters = ['\\alpha', '\\gamma', 'd']\nstates = ['a', 'b', 'v', '\\phi', 'g']\nindices = ['n']",
         &premises,
         &[
             ("'q'", "a_{n+1} - a_n = 2 n + 1", Verdict::Proved),
@@ -925,6 +926,9 @@ fn members_of_sequences_are_taken_at_each_index_that_a_claim_reaches() {
             ("'q'", "a_{2n+1} - a_{2n} = 4 n", Verdict::Refuted),
             ("'q', 'z'", "a_{n+1} b_n = n + 2 + b_n", Verdict::Proved),
             ("'z'", r"b_{n+1} - b_n = -\frac{1}{n (n + 1)}", Verdict::Proved),
+            ("'g'", "g_{n+1} = d g_n", Verdict::Proved),
+            ("'g'", "g_{n-1} g_{n+1} = g_n^2", Verdict::Proved),
+            ("'g'", "g_{2n} = 2 g_n", Verdict::Refuted),
             (
                 "'x', 'v'",
                 r"v_{n+2} = \alpha^2 v_n - \gamma (\alpha \cos\phi_{n+1} + \cos\phi_{n+2})",
@@ -1126,4 +1130,18 @@ fn an_integral_of_numbers_is_enclosed() {
     ] {
         assert_eq!(decide(tex), wanted, "{tex}");
     }
+}
+
+#[test]
+fn a_sum_of_squares_is_not_negative_as_it_is_written() {
+    let decide = |tex: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['a', 'b']\n{}",
+            equation("1", "claim", tex, "")
+        );
+        audit(&text).unwrap().remove(0).verdict
+    };
+    assert_eq!(decide(r"\cos^2 a \sin^2 b + \cos^2 b \ge 0"), Verdict::Proved);
+    assert_eq!(decide(r"\cos^2 a \sin^2 b + \cos^2 b > 0"), Verdict::Refuted);
+    assert_eq!(decide(r"\cos^2 a \sin^2 b - \cos^2 b \ge 0"), Verdict::Refuted);
 }

@@ -387,14 +387,17 @@ impl<'a> Search<'a> {
         };
         let further = further.map(|mut further| {
             further.lemmas.extend(goals.lemmas.iter().cloned());
-            self.together(&further)
+            further
         });
-        let decision = match further {
+        let decision = match further.as_ref().map(|further| self.together(further)) {
             Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
             _ => decision,
         };
         let decision = match decision.verdict {
-            Verdict::Undecided if !decision.is_vacuous => self.under_conditions(goals).unwrap_or(decision),
+            Verdict::Undecided if !decision.is_vacuous => {
+                let mut ways = std::iter::once(goals).chain(&further);
+                ways.find_map(|way| self.under_conditions(way)).unwrap_or(decision)
+            }
             _ => decision,
         };
         let thin = match (decision.verdict, goals.sufficient.as_slice()) {

@@ -5,7 +5,8 @@
 
 use super::session::Session;
 use crate::algebra::{self, Fact, coefficients_in, factors, power, times};
-use kernel::{Axiom, Elementary, Inference, LawSource, Node, Polynomial, Property, Summand, Term, sign};
+use dashu_ratio::RBig;
+use kernel::{Axiom, Elementary, Inference, LawSource, Monomial, Node, Polynomial, Property, Summand, Term, sign};
 use num_traits::{One, Zero};
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
@@ -40,6 +41,9 @@ impl Session<'_> {
                 _ => None,
             };
         }
+        if let Some(found) = self.written_squares(polynomial, strict) {
+            return Some(found);
+        }
         if !self.is_hopeful(polynomial, strict) {
             return None;
         }
@@ -62,6 +66,33 @@ impl Session<'_> {
                 .ok()?;
         }
         Some(last)
+    }
+
+    /// The sign of a sum of positive multiples of even powers as it is written: reduced, it may be none any more.
+    fn written_squares(&mut self, polynomial: &Polynomial, strict: bool) -> Option<usize> {
+        let summand = |(monomial, value): &(Monomial, RBig)| {
+            let is_square = *value > RBig::ZERO && monomial.iter().all(|(_, exponent)| exponent % 2 == 0);
+            let root = monomial.iter().map(|&(term, exponent)| (term, exponent / 2)).collect();
+            is_square.then(|| Summand {
+                factor: Rational(value.clone()),
+                facts: Vec::new(),
+                root: Polynomial::from_terms([(root, RBig::ONE)]),
+            })
+        };
+        let summands = polynomial
+            .terms()
+            .iter()
+            .map(summand)
+            .collect::<Option<Vec<Summand>>>()?;
+        let has_constant = polynomial.terms().iter().any(|(monomial, _)| monomial.is_empty());
+        let step = Inference::Sign {
+            target: polynomial.clone(),
+            strict,
+            factors: Vec::new(),
+            summands,
+            terms: Vec::new(),
+        };
+        (has_constant || !strict).then(|| self.step(step).ok())?
     }
 
     fn sign_of_reduced(&mut self, polynomial: &Polynomial, strict: bool) -> Option<usize> {

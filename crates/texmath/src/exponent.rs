@@ -8,7 +8,7 @@ use num_traits::Zero;
 use numbers::{Field, Rational};
 
 /// The largest integer exponent that is read.
-const HIGHEST: i32 = 1000;
+const HIGHEST: i32 = 10_000;
 
 /// The most digits of a number that is an exponent; a longer number is not read anywhere.
 const MOST_DIGITS: usize = 1000;
@@ -47,7 +47,7 @@ impl Exponent {
             return Ok(None);
         };
         let Some(twice) = twice.filter(|twice| twice.abs() <= 2 * HIGHEST) else {
-            let instead = "integer powers are read up to 1000";
+            let instead = "integer powers are read up to 10000";
             return Err(Fault::unsupported(at, "this power", instead));
         };
         let value = Value::Half(if negative { -twice } else { twice });

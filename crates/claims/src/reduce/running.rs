@@ -170,11 +170,7 @@ fn reached(
 
 /// That premises moved to other indices have a value there: where they have none, they say nothing.
 fn shown(rest: &Statements, said: &[Premise], written: &Statements, setting: &Setting) -> Result<Vec<Goal>, String> {
-    let mut context = rest.clone();
-    for side in rest.claims.iter().flat_map(|claim| [&claim.left, &claim.right]) {
-        let conditions = defined::conditions(side, &setting.plain)?.into_iter();
-        context.assume.extend(conditions.map(Condition::Relation));
-    }
+    let mut context = defined::with_domain(rest, &setting.plain);
     let (as_written, moved): (Vec<&Premise>, Vec<&Premise>) = said.iter().partition(|premise| {
         let mut premises = written.premises.iter();
         premises.any(|own| own.equation == premise.equation)
@@ -182,9 +178,13 @@ fn shown(rest: &Statements, said: &[Premise], written: &Statements, setting: &Se
     context.premises.extend(as_written.into_iter().cloned());
     let mut goals = Vec::new();
     for premise in moved {
-        let mut conditions = defined::conditions(&premise.equation.left, &setting.plain)?;
-        conditions.extend(defined::conditions(&premise.equation.right, &setting.plain)?);
-        for condition in conditions.into_iter().filter(|condition| setting.runs(&condition.left)) {
+        let mut conditions = Vec::new();
+        for side in [&premise.equation.left, &premise.equation.right] {
+            let needed = defined::conditions(side, &setting.plain)?.into_iter();
+            conditions.extend(needed.map(|condition| of_base(condition, side, &context)));
+        }
+        let is_new = |condition: &Equation| setting.runs(&condition.left) || condition.relation == Relation::NotEqual;
+        for condition in conditions.into_iter().filter(is_new) {
             let part = format!("{condition} in ({})", premise.label);
             let mut alone = context.clone();
             alone.claims = vec![condition];
@@ -193,6 +193,27 @@ fn shown(rest: &Statements, said: &[Premise], written: &Statements, setting: &Se
         context.premises.push(premise.clone());
     }
     Ok(goals)
+}
+
+/// That the base of a power is not 0 in place of the sign of its exponent, of which nothing is assumed.
+fn of_base(condition: Equation, side: &Tree, context: &Statements) -> Equation {
+    let is_assumed = context.assume.iter().any(|own| own.sides().contains(&&condition.left));
+    let mut base = None;
+    any(side, &mut |node| {
+        if let Tree::RealPower(own, exponent, _) = node
+            && **exponent == condition.left
+        {
+            base = Some((**own).clone());
+        }
+        base.is_some()
+    });
+    match base.filter(|_| !is_assumed && condition.relation == Relation::GreaterOrEqual) {
+        Some(base) => Equation {
+            relation: Relation::NotEqual,
+            ..Equation::between(base, integer(0))
+        },
+        None => condition,
+    }
 }
 
 impl<'a> Law<'a> {
