@@ -1112,6 +1112,22 @@ fn no_sequence_is_taken_to_begin_at_the_members_that_a_claim_names() {
 }
 
 #[test]
+fn a_d_within_brackets_is_a_letter_where_the_differential_stands_behind_them() {
+    let decide = |tex: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['c', 'd']\n{}",
+            equation("1", "claim", tex, "")
+        );
+        audit(&text).unwrap().remove(0).verdict
+    };
+    assert_eq!(
+        decide(r"\int (c + d x) dx = c x + \frac{d x^2}{2} + C"),
+        Verdict::Proved
+    );
+    assert_eq!(decide(r"\int_0^1 (c \, dx) = c"), Verdict::Proved);
+}
+
+#[test]
 fn an_integral_of_numbers_is_enclosed() {
     let decide = |tex: &str| {
         let text = format!("[symbols]\nparameters = ['a']\n{}", equation("1", "claim", tex, ""));

@@ -13,7 +13,9 @@ sys.path[:] = [path for path in sys.path if os.path.abspath(path) != os.path.dir
 
 import ast
 import atexit
+import itertools
 import json
+import math
 import random
 from fractions import Fraction
 
@@ -686,6 +688,25 @@ def key_of(p):
     return tuple(sorted(p.items()))
 
 
+def integer_valued(p):
+    """Whether a polynomial is an integer wherever its generators are: by its values at 0, ..., degree in each of them, which
+    its forward differences are made of."""
+    if all(value.denominator == 1 for value in p.values()):
+        return True
+    degrees = {}
+    for monomial in p:
+        for term, exponent in monomial:
+            degrees[term] = max(exponent, degrees.get(term, 0))
+    if math.prod(degree + 1 for degree in degrees.values()) > 1000:
+        return False
+    for values in itertools.product(*(range(degree + 1) for degree in degrees.values())):
+        at = dict(zip(degrees, values))
+        total = sum(c * math.prod(at[term] ** exponent for term, exponent in monomial) for monomial, c in p.items())
+        if total.denominator != 1:
+            return False
+    return True
+
+
 # --- proofs ----------------------------------------------------------------------------------------------------------
 
 
@@ -728,7 +749,7 @@ class Proof:
             return True
         if holds == NONNEGATIVE and (not p or self.s.sign(p) == 1):
             return True
-        if holds == INTEGER and all(value.denominator == 1 for value in p.values()):
+        if holds == INTEGER and integer_valued(p):
             if all((INTEGER, term) in self.assumed or (INTEGER, generator(term)) in self.facts for term in generators(p)):
                 return True
         return any(self.implies(fact, holds, p) for fact in self.facts)

@@ -19,6 +19,9 @@ const HIGHEST: u32 = 20;
 
 const WHAT_IS_DERIVED: &str = "write brackets around all that is differentiated";
 
+/// How far behind a `d` in brackets the differential of an integral is looked for, in tokens.
+const FURTHEST_DIFFERENTIAL: usize = 200;
+
 impl<'a> Reader<'a> {
     /// A matrix, a determinant between bars, or a value by cases, whose environment stands next.
     pub(super) fn rows(&mut self, open: Token<'a>, rows: Rows) -> Result<Box<Tree>, Fault> {
@@ -604,7 +607,34 @@ impl<'a> Reader<'a> {
     pub(super) fn differential_ahead(&self) -> Option<usize> {
         let length = self.differential_sign(0).filter(|_| self.integral.is_some())?;
         let named = self.look(length)?;
-        matches!(named.kind, Kind::Letter | Kind::Accent).then_some(length)
+        let is_named = matches!(named.kind, Kind::Letter | Kind::Accent);
+        (is_named && !self.is_letter_in_brackets(length)).then_some(length)
+    }
+
+    /// Returns true if the `d` that stands next, in so many tokens, is a letter within brackets: behind these stands the
+    /// differential of the letter behind it, as in `\int (c + d x) dx`.
+    fn is_letter_in_brackets(&self, length: usize) -> bool {
+        let named = self.look(length).map(|token| token.text);
+        let (mut depth, mut is_behind) = (0_usize, false);
+        for ahead in length + 1..length + FURTHEST_DIFFERENTIAL {
+            let Some(token) = self.look(ahead) else { return false };
+            match token.kind {
+                Kind::Open(_) => depth += 1,
+                Kind::Close(_) => {
+                    is_behind |= depth == 0;
+                    depth = depth.saturating_sub(1);
+                }
+                Kind::Relation(_) | Kind::Approximately | Kind::Integral => return false,
+                _ => {
+                    let behind = self.differential_sign(ahead).filter(|_| is_behind && depth == 0);
+                    let by = behind.and_then(|length| self.look(ahead + length));
+                    if by.is_some_and(|by| Some(by.text) == named) {
+                        return true;
+                    }
+                }
+            }
+        }
+        false
     }
 
     /// Whether the integral that is read ends with this factor.
