@@ -1115,7 +1115,7 @@ fn no_sequence_is_taken_to_begin_at_the_members_that_a_claim_names() {
 fn a_d_within_brackets_is_a_letter_where_the_differential_stands_behind_them() {
     let decide = |tex: &str| {
         let text = format!(
-            "[symbols]\nparameters = ['c', 'd']\n{}",
+            "[symbols]\nparameters = ['c', 'd', 'x']\n{}",
             equation("1", "claim", tex, "")
         );
         audit(&text).unwrap().remove(0).verdict
