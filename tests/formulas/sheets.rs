@@ -1061,12 +1061,16 @@ fn an_integral_is_taken_where_it_has_a_value() {
         (r"\int_0^\infty e^{-t (\mu + a)} dt = \frac{1}{\mu + a}", r"\mu + a > 0"),
         (r"\int_p^q \frac{dx}{x} = \ln q - \ln p", ""),
         (r"\int_0^T \cos(a t) dt = \frac{\sin(a T)}{a}", ""),
+        (r"\int_0^1 |2x - 1| dx = \frac12", ""),
+        (r"\int_2^{-1} a |x| dx = -\frac{5 a}{2}", ""),
+        (r"\int_0^3 |x - 1| |x - 2| dx = \frac{11}{6}", ""),
     ] {
         assert_eq!(decide(tex), (Verdict::Proved, provided.to_owned()), "{tex}");
     }
     for tex in [
         r"\int_0^\infty e^{a x} dx = \frac{1}{a}",
         r"\int_0^\infty x e^{-a x} dx = \frac{1}{a}",
+        r"\int_{-1}^2 |x| dx = \frac32",
     ] {
         assert_eq!(decide(tex).0, Verdict::Refuted, "{tex}");
     }

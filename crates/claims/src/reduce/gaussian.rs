@@ -37,6 +37,11 @@ pub(super) fn exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tr
     }
 }
 
+/// The coefficients of a polynomial in a letter, from the constant on.
+pub(super) fn polynomial(tree: &Tree, by: &Name, symbols: &Symbols) -> Option<Vec<Tree>> {
+    Search { by, symbols }.polynomial(tree)
+}
+
 struct Search<'a> {
     by: &'a Name,
     symbols: &'a Symbols,

@@ -5,6 +5,7 @@ use super::super::premise::Statements;
 use super::build::{
     call, difference, infinity, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol,
 };
+use super::cases::is_absolute;
 use super::derivative::{By, mentions};
 use super::evaluate::evaluated;
 use super::gaussian::quadratic_exponential;
@@ -282,7 +283,10 @@ fn value_of(
     if super::has_operation(&definite.of, symbols) {
         return Ok(None);
     }
-    let found = definite.value()?;
+    let found = match definite.changes_of_sign() {
+        places if places.is_empty() => definite.value()?,
+        places => definite.by_pieces(&places)?,
+    };
     Ok(found.map(|mut value| {
         value.lemmas.extend(lemmas);
         value.converging.extend(converging);
@@ -420,6 +424,13 @@ fn may_be_bound(statements: &Statements, symbols: &Symbols, by: &Name, of: &Tree
     }
 }
 
+/// The constant and the slope of what is linear in a letter, with numbers.
+fn linear(tree: &Tree, by: &Name, symbols: &Symbols) -> Option<[Rational; 2]> {
+    let coefficients = super::gaussian::polynomial(tree, by, symbols)?;
+    let numbers: Option<Vec<Rational>> = coefficients.iter().map(number_of).collect();
+    numbers?.try_into().ok()
+}
+
 /// One definite integral, perhaps an improper one, which is the limit towards an infinite end.
 struct Definite<'a> {
     statements: &'a Statements,
@@ -433,6 +444,94 @@ struct Definite<'a> {
 }
 
 impl Definite<'_> {
+    /// The numbers between limits that are numbers at which what is linear between bars changes its sign, in order.
+    fn changes_of_sign(&self) -> Vec<Rational> {
+        let ends = self.limits.map(number_of);
+        let [Some(low), Some(high)] = ends else {
+            return Vec::new();
+        };
+        let mut places: Vec<Rational> = Vec::new();
+        any(&self.of, &mut |node| {
+            if let Tree::Call(_, inner, _) = node
+                && is_absolute(node)
+                && let Some([constant, slope]) = linear(inner, self.letter, self.symbols)
+                && slope != Rational::from_integer(0)
+            {
+                places.push(-constant / slope);
+            }
+            false
+        });
+        places.retain(|place| (low < *place && *place < high) || (high < *place && *place < low));
+        places.sort_by(|one, other| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal));
+        places.dedup();
+        if high < low {
+            places.reverse();
+        }
+        places
+    }
+
+    /// The sum of the integrals from one place to the next, on each of which what is between bars has a sign that is shown.
+    fn by_pieces(&self, places: &[Rational]) -> Result<Option<Value>, String> {
+        let [low, high] = self.limits;
+        let inner = places.iter().map(|place| Tree::Number(place.clone()));
+        let ends: Vec<Tree> = [low.clone()].into_iter().chain(inner).chain([high.clone()]).collect();
+        let (mut terms, mut lemmas) = (Vec::new(), Vec::new());
+        for (from, to) in ends.iter().zip(ends.iter().skip(1)) {
+            let (of, signs) = self.without_bars(from, to);
+            let piece = Definite {
+                statements: self.statements,
+                symbols: self.symbols,
+                of,
+                letter: self.letter,
+                limits: [from, to],
+                search: self.search,
+            };
+            lemmas.extend(piece.lemmas(Rule::IntegralPieces, "the sign", signs, piece.interval(true)?)?);
+            let Some(value) = piece.value()? else {
+                return Ok(None);
+            };
+            lemmas.extend(value.lemmas);
+            terms.push(value.tree);
+        }
+        Ok(Some(Value {
+            tree: sum(terms),
+            lemmas,
+            converging: Vec::new(),
+        }))
+    }
+
+    /// What is integrated with the signs of what is linear between bars in the middle of a piece, and that these hold.
+    fn without_bars(&self, from: &Tree, to: &Tree) -> (Tree, Vec<Equation>) {
+        let ends = [from, to].map(number_of);
+        let middle = match ends {
+            [Some(from), Some(to)] => (from + to) / Rational::from_integer(2),
+            _ => return (self.of.clone(), Vec::new()),
+        };
+        let zero = Rational::from_integer(0);
+        let signed = |node: &Tree| {
+            let Tree::Call(_, inner, _) = node else { return None };
+            let [constant, slope] = linear(inner, self.letter, self.symbols).filter(|_| is_absolute(node))?;
+            let is_negative = constant + slope * middle.clone() < zero;
+            Some((is_negative, (**inner).clone()))
+        };
+        let of = mapped(&self.of, &|node| {
+            let (is_negative, inner) = signed(node)?;
+            Some(if is_negative { negative(inner) } else { inner })
+        });
+        let mut signs = Vec::new();
+        any(&self.of, &mut |node| {
+            signs.extend(signed(node).map(|(is_negative, inner)| Equation {
+                relation: match is_negative {
+                    true => Relation::LessOrEqual,
+                    false => Relation::GreaterOrEqual,
+                },
+                ..Equation::between(inner, integer(0))
+            }));
+            false
+        });
+        (of, signs)
+    }
+
     /// The value; `None` where no antiderivative is found.
     fn value(&self) -> Result<Option<Value>, String> {
         if let Some(found) = self.gaussian()? {

@@ -24,6 +24,8 @@ pub enum Rule {
     IntegralLinear,
     /// A definite integral is the difference of an antiderivative at its ends.
     IntegralAntiderivative,
+    /// An integral is the sum of those over the pieces of its interval.
+    IntegralPieces,
     /// An improper integral is taken to have a value.
     IntegralConverges,
     /// The integral of a normal distribution.
@@ -115,6 +117,7 @@ impl fmt::Display for Rule {
             Self::IntegralDifferentiated => "integral: differentiated",
             Self::IntegralLinear => "integral: linearity",
             Self::IntegralAntiderivative => "integral: antiderivative",
+            Self::IntegralPieces => "integral: pieces",
             Self::IntegralConverges => "integral: converges",
             Self::IntegralGaussian => "integral: Gaussian",
             Self::LimitSeries => "limit: series",
