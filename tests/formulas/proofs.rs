@@ -245,7 +245,7 @@ fn scripts_accept_what_the_kernel_accepts() {
     }
 }
 
-/// What the checker says of files of proof data, a line each, and whether it accepts them all.
+/// The checker's lines on files of proof data, one each, and whether it accepts them all.
 fn checked(python: &str, scratch: &Scratch, files: &[(String, String)]) -> (bool, Vec<String>) {
     let checker = scratch.file("check.py", CHECKER.as_str());
     let paths = files.iter().map(|(name, text)| scratch.file(name, text));

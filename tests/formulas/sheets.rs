@@ -892,7 +892,14 @@ fn an_antiderivative_may_be_asked_for_under_conditions_but_not_at_one_point() {
     assert_eq!(decide(r"\int x \, dx = x + C", "x = 1"), Verdict::Undecided);
 }
 
-/// The verdicts of claims, each with what it follows from, its premises first.
+/// The verdict of a claim without premises, and what is provided.
+fn decide(symbols: &str, tex: &str) -> (Verdict, String) {
+    let text = format!("[symbols]\n{symbols}\n{}", equation("1", "claim", tex, ""));
+    let decision = audit(&text).unwrap().remove(0);
+    (decision.verdict, decision.provided.join("; "))
+}
+
+/// Checks the verdicts of claims, each with what it follows from, its premises first.
 fn verdicts_of(symbols: &str, premises: &[(&str, &str)], claims: &[(&str, &str, Verdict)]) {
     let premises: String = premises.iter().map(|(label, tex)| premise(label, tex)).collect();
     for (number, (from, tex, wanted)) in claims.iter().enumerate() {
@@ -988,14 +995,7 @@ fn a_map_from_one_index_to_the_next_is_read_for_each_where_a_claim_goes_on() {
 
 #[test]
 fn the_laws_of_integer_powers_hold_at_bases_that_are_not_0() {
-    let decide = |tex: &str| {
-        let text = format!(
-            "[symbols]\nparameters = ['x', 'y']\nintegers = ['n', 'm']\n{}",
-            equation("1", "claim", tex, "")
-        );
-        let decision = audit(&text).unwrap().remove(0);
-        (decision.verdict, decision.provided.join("; "))
-    };
+    let decide = |tex: &str| decide("parameters = ['x', 'y']\nintegers = ['n', 'm']", tex);
     for (tex, provided) in [
         ("x^{n+m} = x^n x^m", r"x \neq 0"),
         ("x^{n-m} = \\frac{x^n}{x^m}", r"x \neq 0"),
@@ -1047,14 +1047,7 @@ fn what_follows_but_for_a_factor_of_a_premise_is_conditional() {
 
 #[test]
 fn an_integral_is_taken_where_it_has_a_value() {
-    let decide = |tex: &str| {
-        let text = format!(
-            "[symbols]\nparameters = ['a', 'N', '\\mu', 'p', 'q', 'T']\n{}",
-            equation("1", "claim", tex, "")
-        );
-        let decision = audit(&text).unwrap().remove(0);
-        (decision.verdict, decision.provided.join("; "))
-    };
+    let decide = |tex: &str| decide("parameters = ['a', 'N', '\\mu', 'p', 'q', 'T']", tex);
     for (tex, provided) in [
         (r"\int_0^\infty e^{-a x} dx = \frac{1}{a}", "a > 0"),
         (r"\int_{-\infty}^\infty e^{-a x^2} dx = \sqrt{\frac{\pi}{a}}", ""),
@@ -1117,13 +1110,7 @@ fn no_sequence_is_taken_to_begin_at_the_members_that_a_claim_names() {
 
 #[test]
 fn a_d_within_brackets_is_a_letter_where_the_differential_stands_behind_them() {
-    let decide = |tex: &str| {
-        let text = format!(
-            "[symbols]\nparameters = ['c', 'd', 'x']\n{}",
-            equation("1", "claim", tex, "")
-        );
-        audit(&text).unwrap().remove(0).verdict
-    };
+    let decide = |tex: &str| decide("parameters = ['c', 'd', 'x']", tex).0;
     assert_eq!(
         decide(r"\int (c + d x) dx = c x + \frac{d x^2}{2} + C"),
         Verdict::Proved
@@ -1133,10 +1120,7 @@ fn a_d_within_brackets_is_a_letter_where_the_differential_stands_behind_them() {
 
 #[test]
 fn an_integral_of_numbers_is_enclosed() {
-    let decide = |tex: &str| {
-        let text = format!("[symbols]\nparameters = ['a']\n{}", equation("1", "claim", tex, ""));
-        audit(&text).unwrap().remove(0).verdict
-    };
+    let decide = |tex: &str| decide("parameters = ['a']", tex).0;
     for (tex, wanted) in [
         (r"\int_0^1 e^{-x^2} dx \approx 0.7468", Verdict::Proved),
         (r"\int_0^1 e^{-x^2} dx \approx 0.7486", Verdict::Refuted),
@@ -1154,13 +1138,7 @@ fn an_integral_of_numbers_is_enclosed() {
 
 #[test]
 fn a_sum_of_squares_is_not_negative_as_it_is_written() {
-    let decide = |tex: &str| {
-        let text = format!(
-            "[symbols]\nparameters = ['a', 'b']\n{}",
-            equation("1", "claim", tex, "")
-        );
-        audit(&text).unwrap().remove(0).verdict
-    };
+    let decide = |tex: &str| decide("parameters = ['a', 'b']", tex).0;
     assert_eq!(decide(r"\cos^2 a \sin^2 b + \cos^2 b \ge 0"), Verdict::Proved);
     assert_eq!(decide(r"\cos^2 a \sin^2 b + \cos^2 b > 0"), Verdict::Refuted);
     assert_eq!(decide(r"\cos^2 a \sin^2 b - \cos^2 b \ge 0"), Verdict::Refuted);

@@ -127,7 +127,7 @@ struct Integrand<'a, E: Endpoint> {
     constants: HashMap<Term, Interval<E>>,
     /// The nodes and weights of the rule.
     rule: Vec<[Interval<E>; 2]>,
-    /// How many values of the integrand may still be computed.
+    /// The values of the integrand that may still be computed, by number.
     left: usize,
 }
 
@@ -176,7 +176,7 @@ impl<'a, E: Endpoint> Integrand<'a, E> {
         Some(sum)
     }
 
-    /// What is small beside the integral. Nothing rests on it but when to stop.
+    /// A number that is small beside the integral. Nothing rests on it but when to stop.
     fn small(&mut self, from: &E, to: &E) -> E {
         let (mut sizes, length) = (E::zero(), to.clone() - from.clone());
         for part in [3, 10, 17, 22, 29, 37] {

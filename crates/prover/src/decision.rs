@@ -25,7 +25,7 @@ pub struct Decision {
     pub rules: Rules,
     /// The meanings that were taken wherever its notation, or that of what it rests on, has more than one.
     pub readings: Vec<String>,
-    /// Whether this is of the sheet in which premises that take one index to the next hold at each.
+    /// True if it was decided in the sheet in which premises that take one index to the next hold at each.
     pub at_each_index: bool,
     /// The equation that was not proved, of the several that a label may have.
     pub failed: Option<Equation>,
@@ -39,7 +39,7 @@ pub struct Decision {
     pub fails: bool,
     /// A verdict that waits until second values of letters are proved: else they may be new meanings.
     pub(super) waiting: Option<Waiting>,
-    /// What must not be 0 for a claim to follow that fails at some points at which it is 0, and holds at others.
+    /// The condition, that a factor is not 0, under which a claim follows that fails at some points without it and holds at others.
     pub(super) exception: Option<Equation>,
     /// The other meanings that its premises may have, where they bear on the verdict.
     pub(super) doubts: Vec<DoubtKind>,

@@ -9,12 +9,12 @@ use texmath::{Condition, DoubtKind, Equation, Relation, Tree, any};
 /// Steps of the search for a proof that a claim follows after a division.
 const FEW_STEPS: u64 = 200_000;
 
-/// What a refuted claim comes to where its premises can be solved for what it speaks of: what a premise is divided by then is
-/// 0 at the counterexample.
+/// A refuted claim's premise that can be solved for what the claim speaks of by a division; the divisor is 0 at the
+/// counterexample.
 pub(super) struct Division {
     /// That the author may have meant to divide.
     pub(super) doubt: DoubtKind,
-    /// What must not be 0 for the claim to follow, where it fails at some points at which this is 0, and holds at others.
+    /// The condition, that a factor is not 0, under which the claim follows; without it, it fails at some points and holds at others.
     pub(super) condition: Option<Equation>,
 }
 
@@ -148,7 +148,7 @@ fn has_factor(tree: &Tree, factor: &Tree) -> bool {
     }
 }
 
-/// How many terms a tree has once it is multiplied out.
+/// The number of terms of a tree that is multiplied out.
 fn terms(tree: &Tree) -> usize {
     match tree {
         Tree::Number(value) if value.0.is_zero() => 0,

@@ -104,7 +104,7 @@ fn script_of_words(sheet: &Sheet, position: usize, options: &Options) -> Option<
     )))
 }
 
-/// What is claimed and given of letters that need not commute, with what proves it.
+/// The claims and givens about letters that need not commute, with their proof, as JSON.
 fn words_data(question: &WordQuestion, proof: &WordProof) -> String {
     let word = |word: &Word| {
         let scalars = word
@@ -176,7 +176,7 @@ pub fn proof_data(sheet: &Sheet, position: usize, options: &Options) -> Vec<Stri
     decided.iter().map(of_one).collect()
 }
 
-/// What proof data begins with.
+/// The first fields of proof data.
 fn head_fields(label: &str, claim: &str) -> Vec<String> {
     vec![
         field("format", quoted("vibro-audit-proof")),
@@ -256,7 +256,7 @@ impl Decided {
         ))
     }
 
-    /// What is decided, in TeX, and how the claim was reduced to it.
+    /// The goal in TeX, and how the claim was reduced to it.
     fn goal_fields(&self) -> Vec<String> {
         let rules = self.goal.statements.rules.iter();
         let premises = self.goal.statements.premises.iter().map(|premise| {

@@ -19,7 +19,7 @@ const HIGHEST: u32 = 20;
 
 const WHAT_IS_DERIVED: &str = "write brackets around all that is differentiated";
 
-/// How far behind a `d` in brackets the differential of an integral is looked for, in tokens.
+/// The most tokens behind a `d` in brackets among which the differential of an integral is looked for.
 const FURTHEST_DIFFERENTIAL: usize = 200;
 
 impl<'a> Reader<'a> {

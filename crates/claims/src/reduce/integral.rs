@@ -164,16 +164,23 @@ pub(super) fn by_antiderivatives(
     }))
 }
 
+/// The integrand of a definite integral, its letter, and its limits.
+fn definite(operation: &Operation) -> Option<(&Tree, &Name, [&Tree; 2])> {
+    match operation {
+        Operation::Integral {
+            of,
+            by,
+            limits: Some((low, high)),
+        } => Some((of, by, [low, high])),
+        _ => None,
+    }
+}
+
 /// Returns true if all operations of statements are integrals of real functions of their letters alone, between numbers.
 pub(super) fn are_numbers(statements: &Statements, symbols: &Symbols) -> bool {
     let all = super::trees(statements);
     let is_number = |operation: &Operation| {
-        let Operation::Integral {
-            of,
-            by,
-            limits: Some((low, high)),
-        } = operation
-        else {
+        let Some((of, by, [low, high])) = definite(operation) else {
             return false;
         };
         let is_free = |tree: &Tree| {
@@ -233,7 +240,7 @@ fn collect_outermost(tree: &Tree, found: &mut Vec<Operation>) {
 /// The value of a definite integral.
 struct Value {
     tree: Tree,
-    /// What must hold for it to be that.
+    /// The claims that must hold for it to be that.
     lemmas: Vec<Goal>,
     /// Those of these conditions without which an improper integral has no value.
     converging: Vec<Equation>,
@@ -246,12 +253,7 @@ fn value_of(
     symbols: &Symbols,
     search: Antiderivatives,
 ) -> Result<Option<Value>, String> {
-    let Operation::Integral {
-        of,
-        by,
-        limits: Some((low, high)),
-    } = operation
-    else {
+    let Some((of, by, [low, high])) = definite(operation) else {
         return Ok(None);
     };
     may_be_bound(statements, symbols, by, of)?;
@@ -500,7 +502,7 @@ impl Definite<'_> {
         }))
     }
 
-    /// What is integrated with the signs of what is linear between bars in the middle of a piece, and that these hold.
+    /// The integrand with the signs that linear terms between bars have in the middle of a piece, and the claims that they have these signs.
     fn without_bars(&self, from: &Tree, to: &Tree) -> (Tree, Vec<Equation>) {
         let ends = [from, to].map(number_of);
         let middle = match ends {
@@ -604,7 +606,7 @@ impl Definite<'_> {
         };
         let (factor, mut coefficients) = super::gaussian::exponential(&exponential, self.letter, self.symbols)?;
         number_of(&factor).filter(|factor| *factor != Rational::from_integer(0))?;
-        let highest = coefficients.pop()?;
+        let of = coefficients.pop()?;
         let relation = match (infinity(low), infinity(high), coefficients.as_slice()) {
             (None, Some(true), [_]) => Relation::Less,
             (Some(false), None, [_]) => Relation::Greater,
@@ -612,7 +614,6 @@ impl Definite<'_> {
             (None, Some(true), [_, linear]) if is_zero(linear) => Relation::Less,
             _ => return None,
         };
-        let of = highest;
         Some(Equation {
             relation,
             ..Equation::between(of, integer(0))

@@ -7,6 +7,7 @@
 mod build;
 mod cases;
 mod complex;
+mod conditions;
 mod decay;
 mod defined;
 mod derivative;
@@ -22,7 +23,7 @@ mod integral;
 mod law;
 mod limit;
 mod matrix;
-mod powers;
+
 mod ranges;
 mod recurrence;
 mod roots;
@@ -36,9 +37,9 @@ mod thin;
 use super::definition::{Local, inlined};
 use super::elaborate;
 use super::premise::Statements;
+pub use conditions::under_conditions;
 pub use divisors::divisors;
 pub use inequality::ways as other_ways;
-pub use powers::under_conditions;
 pub use rule::{Rule, Rules};
 pub use thin::{thin_domains, values};
 
@@ -247,7 +248,7 @@ pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Re
     }))
 }
 
-/// What a claim about members of sequences comes to: by the recurrence that gives one, or by the premises at each index.
+/// Reduces a claim about members of sequences: by the recurrence that gives one, or by the premises at each index.
 fn of_sequences(statements: &Statements, symbols: &Symbols) -> Result<Reduced, String> {
     let setting = sequences::Setting::of(statements, symbols)?;
     recurrence::reduced(statements, &setting).or_else(|why| running::reduced(statements, &setting).map_err(|_| why))

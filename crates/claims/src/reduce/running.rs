@@ -1,6 +1,6 @@
 //! Claims about members of sequences by their premises at each index that the claim reaches.
 //!
-//! What is trusted: a premise with a running index holds wherever it has a value, from some first index on that nobody says, and
+//! Trusted is this: a premise with a running index holds wherever it has a value, from some first index on that nobody says, and
 //! the claim wherever its members are there. Where each premise gives one sequence by members that come before, it gives the
 //! next member or says nothing of it: members from the first one that the claim names on go on to whole sequences, and so
 //! are a point of the premises. A claim is refuted behind some members that it does not name alone.
@@ -15,7 +15,7 @@ use texmath::{Condition, Equation, Name, Relation, Tree, any, place_of, rewrite}
 /// The most indices between the first and the last member that a claim names.
 const MOST_PLACES: i64 = 12;
 
-/// How many indices before the first member that a claim names sequences may have begun.
+/// The indices before the first member that a claim names at which sequences may have begun.
 const BEFORE: i64 = 3;
 
 /// A member of a sequence: its index is a multiple of the running one, and a number.
@@ -58,7 +58,7 @@ fn members<'t>(trees: impl IntoIterator<Item = &'t Tree>, setting: &Setting) -> 
     met
 }
 
-/// What a claim about members of sequences comes to.
+/// Reduces a claim about members of sequences to claims about parameters.
 ///
 /// # Errors
 /// Why the premises do not give the sequences one after the other.
@@ -243,7 +243,7 @@ impl<'a> Law<'a> {
         offsets.min().unwrap_or_default()
     }
 
-    /// What it says of the member at a place.
+    /// The premise about the member at a place.
     fn at(&self, multiple: i64, offset: i64, setting: &Setting) -> Premise {
         let by = offset - self.given.offset;
         let moved = |tree: &Tree| {

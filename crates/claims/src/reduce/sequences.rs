@@ -7,7 +7,7 @@ use super::{Goal, factorial, trees};
 use std::collections::BTreeSet;
 use texmath::{Meaning, Name, Symbols, Tree, any, index_of, place_of};
 
-/// Whether a claim speaks of members of a sequence.
+/// Returns true if a claim speaks of members of a sequence.
 pub(super) fn is_spoken_of(statements: &Statements, symbols: &Symbols) -> bool {
     let is_member = |node: &Tree| match node {
         Tree::Symbol(name, _) => symbols.is_state(&name.bare()),
@@ -30,7 +30,7 @@ impl Setting {
     /// The index and the sequences of statements that are about members alone.
     ///
     /// # Errors
-    /// What else they are about.
+    /// The statements are about something else besides, which the message names.
     pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Result<Self, String> {
         let mut indices = symbols.indices();
         let (Some(letter), None) = (indices.next(), indices.next()) else {
@@ -148,7 +148,7 @@ pub(super) fn runs_by_member(tree: &Tree, state: &Name, letter: &Name) -> bool {
     })
 }
 
-/// Whether a node binds the index, or leaves a sign open.
+/// Returns true if a node binds the index, or leaves a sign open.
 fn is_strange(node: &Tree, letter: &Name) -> bool {
     match node {
         Tree::Operation(operation, _) => operation.letter() == Some(letter),

@@ -31,7 +31,7 @@ impl Field {
         self.trees(&below, &monomials, &candidates, &solution, &constant, tower)
     }
 
-    /// What stands below the rational part.
+    /// The denominator of the rational part.
     fn below(&self, tower: &mut Tower) -> Option<Polynomial> {
         let mut below = Polynomial::integer(1);
         for divisor in &self.divisors {

@@ -5,7 +5,7 @@ use super::fraction::{Fraction, times};
 use super::tangents::without_tangents;
 use super::tower::{Kind, Tower, VARIABLE};
 use super::tree::{call, negative, product, quotient, sum};
-use crate::algebra::{coefficients_in, degree_in, rational_root};
+use crate::algebra::{coefficients_in, rational_root};
 use dashu_ratio::RBig;
 use kernel::{Monomial, Polynomial, Term};
 use num_traits::Zero;
@@ -177,13 +177,7 @@ impl Field {
 
     /// The antiderivative of `g'/factor` for a quadratic factor in the generator g: an angle, or a logarithm.
     fn angle(&self, factor: &Polynomial, tower: &mut Tower) -> Option<Candidate> {
-        let varying: Vec<Term> = self
-            .generators
-            .iter()
-            .copied()
-            .filter(|term| degree_in(factor, *term) > 0)
-            .collect();
-        let [term] = varying.as_slice() else { return None };
+        let term = &self.only_generator(factor)?;
         let coefficients = coefficients_in(factor, *term);
         let [last, middle, first] = coefficients.as_slice() else {
             return None;

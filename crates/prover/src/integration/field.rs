@@ -3,7 +3,7 @@
 use super::fraction::{Fraction, times};
 use super::tangents::{Tangent, tangents};
 use super::tower::{Kind, Tower, VARIABLE};
-use crate::algebra::{derivative, exact_quotient, factors, gcd, power};
+use crate::algebra::{degree_in, derivative, exact_quotient, factors, gcd, power};
 use kernel::{Polynomial, Term};
 use std::collections::BTreeMap;
 
@@ -25,7 +25,7 @@ pub(super) struct Field {
     /// The common denominator of the derivatives of the generators.
     pub common: Polynomial,
     pub divisors: Vec<Divisor>,
-    /// What stands below the integrand and holds letters alone.
+    /// The factor of the integrand's denominator that holds letters alone.
     pub constant: Polynomial,
 }
 
@@ -127,6 +127,12 @@ impl Field {
         }
         self.constant = constant;
         Some(())
+    }
+
+    /// The generator that a factor holds, if it holds one alone.
+    pub fn only_generator(&self, factor: &Polynomial) -> Option<Term> {
+        let mut varying = self.generators.iter().filter(|term| degree_in(factor, **term) > 0);
+        varying.next().copied().filter(|_| varying.next().is_none())
     }
 
     pub fn varies(&self, p: &Polynomial) -> bool {

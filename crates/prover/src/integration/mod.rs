@@ -26,7 +26,7 @@ use tree::{integer, power, product, quotient, sum, symbol, value};
 /// The steps of one search, and of one attempt in it.
 const STEPS: u64 = 1_350_000;
 
-/// How often what a substitution leaves is substituted in.
+/// The most substitutions within each other.
 const DEEPEST: u32 = 4;
 
 /// The points at which integrands are evaluated.

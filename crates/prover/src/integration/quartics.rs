@@ -6,7 +6,7 @@ use super::candidates::{Candidate, Function};
 use super::field::Field;
 use super::fraction::Fraction;
 use super::tower::{Tower, one_of};
-use crate::algebra::{coefficients_in, degree_in, factors};
+use crate::algebra::{coefficients_in, factors};
 use kernel::{Polynomial, Term};
 use numbers::{Field as _, Rational};
 
@@ -82,13 +82,7 @@ fn square(p: &Fraction, q: &Fraction, r: &Fraction, tower: &mut Tower) -> Option
 impl Field {
     /// The logarithms and angles of the two quadratics, in the pairs whose derivatives hold no root.
     pub(super) fn quartic(&self, factor: &Polynomial, tower: &mut Tower) -> Option<Vec<Candidate>> {
-        let varying: Vec<Term> = self
-            .generators
-            .iter()
-            .copied()
-            .filter(|term| degree_in(factor, *term) > 0)
-            .collect();
-        let [term] = varying.as_slice() else { return None };
+        let term = &self.only_generator(factor)?;
         let coefficients = coefficients_in(factor, *term);
         if coefficients.len() != 5 || coefficients.iter().any(|p| self.varies(p)) {
             return None;
