@@ -956,6 +956,36 @@ fn members_of_sequences_are_taken_at_each_index_that_a_claim_reaches() {
 }
 
 #[test]
+fn a_way_of_an_equivalence_has_a_value_wherever_the_other_side_holds() {
+    let symbols = "parameters = ['x', 't']\nfunctions = ['f']";
+    let ways = |tex: &str| {
+        let text = format!("[symbols]\n{symbols}\n{}", equation("1", "claim", tex, ""));
+        let decisions = audit(&text).unwrap();
+        [0, 1].map(|way| decisions[way].verdict)
+    };
+    use Verdict::{Proved, Refuted, Undecided};
+    for (tex, wanted) in [
+        // x = 0 solves the left side alone, where the right one has no value
+        (
+            r"x (x - 1) = 0 \Leftrightarrow \int_0^1 \frac{1}{x} dt = 1",
+            [Undecided, Proved],
+        ),
+        (
+            r"x - 1 = 0 \Leftrightarrow \int_0^1 \frac{1}{x} dt = 1",
+            [Proved, Proved],
+        ),
+        (r"x - 1 = 0 \Leftrightarrow \int_0^x 2 t dt = 1", [Proved, Refuted]),
+        (
+            r"x (x - 1) = 0 \Leftrightarrow \frac{f(x)}{x} = f(x)",
+            [Undecided, Refuted],
+        ),
+        (r"x^2 = x \Leftrightarrow \frac{|x|}{x} = 1", [Undecided, Refuted]),
+    ] {
+        assert_eq!(ways(tex), wanted, "{tex}");
+    }
+}
+
+#[test]
 fn premises_that_contradict_each_other_further_on_prove_nothing() {
     // a_{n+1} = a_n + 1 beside a_n = n^2, which no sequence satisfies
     let premises = [("q", "a_n = n^2"), ("s", "a_{n+1} = a_n + 1"), ("z", "a_0 = 1")];

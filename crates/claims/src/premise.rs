@@ -51,6 +51,8 @@ pub struct Statements {
     pub last: Option<i32>,
     /// Whether the claim holds at every time of a flight.
     pub claim_runs: bool,
+    /// Whether the claim is a way of an equivalence, which must have a value wherever the other side holds.
+    pub is_way: bool,
     /// Whether anything is said of partial derivatives, traces or determinants.
     pub speaks_of_maps: bool,
     /// Whether a partial derivative is written out anywhere.
@@ -173,7 +175,10 @@ impl Statements {
         if let Some(fault) = &claim.unread {
             return Err(fault.clone());
         }
-        let mut found = Self::default();
+        let mut found = Self {
+            is_way: claim.is_way,
+            ..Self::default()
+        };
         let shared = sheet.shared(claim)?;
         for entry in claim.follows_from.iter().filter_map(|&n| sheet.entries.get(n)) {
             found.rest_on(sheet, entry, claim, &shared)?;

@@ -369,14 +369,14 @@ impl<'a> Search<'a> {
     fn decide_by(&mut self, sheet: &Sheet, position: usize, place: Option<usize>) -> (Decision, usize) {
         let ways = Cell::new(0);
         let decision = match goals(sheet, position, place, &ways) {
-            Ok(goals) => self.decide_goals(sheet, position, &goals),
+            Ok(goals) => self.decide_goals(&goals),
             Err(decision) => *decision,
         };
         (decision, ways.get())
     }
 
     /// Decides a claim by the goals that it comes to.
-    fn decide_goals(&mut self, sheet: &Sheet, position: usize, goals: &Reduced) -> Decision {
+    fn decide_goals(&mut self, goals: &Reduced) -> Decision {
         let decision = self.together(goals);
         let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
         let further = match (decision.verdict, goals.sufficient.as_slice()) {
@@ -400,13 +400,16 @@ impl<'a> Search<'a> {
             }
             _ => decision,
         };
-        let thin = match (decision.verdict, goals.sufficient.as_slice()) {
-            (Verdict::Proved, [goal]) if sheet.entries.get(position).is_some_and(|entry| entry.is_way) => {
-                self.without_value(goal).or_else(|| self.thin(goal))
-            }
-            (Verdict::Proved, [goal]) => self.thin(goal),
-            _ => None,
-        };
+        if decision.verdict != Verdict::Proved {
+            return decision;
+        }
+        let mut ways = goals.sufficient.iter().filter(|goal| goal.statements.is_way);
+        let thin = ways
+            .find_map(|goal| self.without_value(goal))
+            .or_else(|| match goals.sufficient.as_slice() {
+                [goal] => self.thin(goal),
+                _ => None,
+            });
         thin.unwrap_or(decision)
     }
 
@@ -430,15 +433,19 @@ impl<'a> Search<'a> {
     /// two sides are not shown to be the same.
     fn without_value(&mut self, goal: &Goal) -> Option<Decision> {
         let known = self.known();
-        let values = values(goal).into_iter();
-        let mut open = values.filter(|(_, goal)| self.settled(goal).verdict != Verdict::Proved);
-        let found = open.next();
-        drop(open);
+        let open = match values(goal) {
+            Ok(values) => {
+                let mut values = values.into_iter();
+                let open = values.find(|(_, goal)| self.settled(goal).verdict != Verdict::Proved);
+                open.map(|(condition, _)| format!("{condition} is not shown"))
+            }
+            Err(unknown) => Some(unknown),
+        };
         self.forget(known);
-        let (condition, _) = found?;
         Some(Decision {
             reason: format!(
-                "holds where it has a value, but {condition} is not shown where the other side of the arrow holds"
+                "holds where it has a value, but {} where the other side of the arrow holds",
+                open?
             ),
             ..self.start.clone()
         })

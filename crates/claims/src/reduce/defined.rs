@@ -116,17 +116,18 @@ fn collect(
     Ok(())
 }
 
-/// The statements with what holds wherever their claims have a value assumed.
+/// The statements with what holds wherever their claims and conditions have a value assumed. A way of an equivalence is to be
+/// shown to have a value, so that only conditions are taken to have one.
 pub(super) fn with_domain(statements: &Statements, symbols: &Symbols) -> Statements {
     let mut out = statements.clone();
-    if super::trees(statements)
-        .into_iter()
-        .any(|tree| symbols.may_be_complex(tree))
-    {
+    let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
+    if super::trees(statements).into_iter().any(is_complex) {
         return out;
     }
     let mut found = Vec::new();
-    for side in statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]) {
+    let claims = statements.claims.iter().filter(|_| !statements.is_way);
+    let claimed = claims.flat_map(|claim| [&claim.left, &claim.right]);
+    for side in claimed.chain(statements.assume.iter().flat_map(Condition::sides)) {
         necessary(side, &mut found);
     }
     for condition in found.into_iter().map(Condition::Relation) {

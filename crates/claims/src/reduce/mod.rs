@@ -97,6 +97,19 @@ impl Goal {
             part,
         }
     }
+
+    /// Leaves out the premises and conditions that hold an operation: what is shown without them holds with them.
+    fn rest_on_numbers(&mut self) {
+        let Self {
+            statements, symbols, ..
+        } = self;
+        let is_plain = |tree: &Tree| !has_operation(tree, symbols);
+        let of_numbers = |equation: &Equation| is_plain(&equation.left) && is_plain(&equation.right);
+        statements.premises.retain(|premise| of_numbers(&premise.equation));
+        statements
+            .assume
+            .retain(|condition| condition.sides().into_iter().all(is_plain));
+    }
 }
 
 /// Whether a tree holds an operation, or a power that is a transpose.
@@ -129,7 +142,10 @@ fn trees(statements: &Statements) -> Vec<&Tree> {
 /// Why an operation has no meaning here, or is not reduced.
 pub fn reduced(statements: &Statements, symbols: &Symbols, search: Antiderivatives) -> Result<Option<Reduced>, String> {
     if !complex::takes_part(statements, symbols) {
-        return without_operations(statements, symbols, search);
+        return Ok(without_operations(statements, symbols, search)?.map(|mut reduced| {
+            reduced.lemmas.iter_mut().for_each(Goal::rest_on_numbers);
+            reduced
+        }));
     }
     let written = written_out(statements, symbols)?;
     complex::refuse_inside(&written, symbols)?;

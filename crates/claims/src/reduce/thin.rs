@@ -1,7 +1,7 @@
 //! Where a claim has a value: on a thin set alone, where what stands under a root cannot be above 0, or wherever what is given holds.
 
 use super::build::{difference, integer, power, product};
-use super::defined::conditions;
+use super::defined::conditions_beside;
 use super::{Goal, trees};
 use texmath::{Condition, Elementary, Equation, Relation, Tree, any, number_of};
 
@@ -64,19 +64,23 @@ fn whole_radicand(node: &Tree) -> Option<Tree> {
     Some(product(whole))
 }
 
-/// What must hold for a claim to have a value, each with the goal that it does where what is given holds. Empty where that is
-/// not known.
-pub fn values(goal: &Goal) -> Vec<(Equation, Goal)> {
+/// What must hold for a claim to have a value, each with the goal that it does where what is given holds. Functions that are not
+/// elementary have a value at each number.
+///
+/// # Errors
+/// What has a value where that is not known.
+pub fn values(goal: &Goal) -> Result<Vec<(Equation, Goal)>, String> {
     let Goal {
         statements, symbols, ..
     } = goal;
     let sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
-    let conditions: Result<Vec<Vec<Equation>>, String> = sides.map(|side| conditions(side, symbols)).collect();
+    let conditions: Result<Vec<Vec<Equation>>, String> =
+        sides.map(|side| conditions_beside(side, symbols, &|_| true)).collect();
     let of = |condition: Equation| {
         let mut alone = statements.clone();
         alone.claims = vec![condition.clone()];
         let part = format!("{condition} where what is given holds");
         (condition, Goal::of(&alone, symbols, part))
     };
-    conditions.unwrap_or_default().into_iter().flatten().map(of).collect()
+    Ok(conditions?.into_iter().flatten().map(of).collect())
 }
