@@ -931,6 +931,9 @@ fn members_of_sequences_are_taken_at_each_index_that_a_claim_reaches() {
             ("'q'", "a_{n+1} - a_n = 2 n + 2", Verdict::Refuted),
             ("'q'", "a_{2n} = 4 n^2", Verdict::Proved),
             ("'q'", "a_{2n+1} - a_{2n} = 4 n", Verdict::Refuted),
+            // two indices
+            ("'q'", "a_{02n} = 4 n^2", Verdict::Unread),
+            ("'q'", "a_{1n} = n^2", Verdict::Unread),
             ("'q', 'z'", "a_{n+1} b_n = n + 2 + b_n", Verdict::Proved),
             ("'z'", r"b_{n+1} - b_n = -\frac{1}{n (n + 1)}", Verdict::Proved),
             ("'g'", "g_{n+1} = d g_n", Verdict::Proved),

@@ -87,7 +87,9 @@ pub fn place_of(subscript: &str, letter: &str) -> Option<(i64, i64)> {
     let offset = index_of(rest, letter)?;
     let multiple = match multiple {
         "" => 1,
-        multiple => multiple.parse().ok().filter(|&multiple| multiple > 0)?,
+        // `1n` and `02n` are two indices
+        multiple if multiple.starts_with('0') || multiple == "1" => return None,
+        multiple => multiple.parse().ok()?,
     };
     Some((multiple, i64::from(offset)))
 }
