@@ -19,3 +19,4 @@ mod repairs;
 mod rewriting;
 mod sheets;
 mod tex;
+mod textbook;
