@@ -67,12 +67,16 @@ pub struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// The statement at a witness, every given of it checked.
-    ///
-    /// # Errors
-    /// A [`Refusal`] that says which given is not known to hold.
-    pub fn new(statement: &'a mut Statement, witness: &'a Witness, effort: u64) -> Outcome<Self> {
-        let mut at = Self {
+    /// The statement at a witness of which nothing is checked: to print its values, and no verdict rests on it.
+    pub fn unchecked(statement: &'a mut Statement, witness: &'a Witness, effort: u64) -> Self {
+        let mut at = Self::bare(statement, witness, effort);
+        // values are then looked up but for whole periods
+        let _ = at.check_periods();
+        at
+    }
+
+    fn bare(statement: &'a mut Statement, witness: &'a Witness, effort: u64) -> Self {
+        Self {
             solved: witness.solved.iter().copied().collect(),
             sample: witness.sample.iter().copied().collect(),
             periods: BTreeMap::new(),
@@ -83,7 +87,15 @@ impl<'a> At<'a> {
             statement,
             witness,
             effort,
-        };
+        }
+    }
+
+    /// The statement at a witness, every given of it checked.
+    ///
+    /// # Errors
+    /// A [`Refusal`] that says which given is not known to hold.
+    pub fn new(statement: &'a mut Statement, witness: &'a Witness, effort: u64) -> Outcome<Self> {
+        let mut at = Self::bare(statement, witness, effort);
         if at
             .statement
             .quantities

@@ -64,9 +64,9 @@ pub struct Derivation {
 pub struct Values<'a>(At<'a>);
 
 impl<'a> Values<'a> {
-    /// Nothing where the kernel does not take the witness. `statement` is the one that the witness is about.
-    pub fn new(statement: &'a mut Statement, witness: &'a Witness) -> Option<Self> {
-        At::new(statement, witness, EFFORT).ok().map(Self)
+    /// The values at a witness that the kernel has taken. `statement` is the one that the witness is about.
+    pub fn new(statement: &'a mut Statement, witness: &'a Witness) -> Self {
+        Self(At::unchecked(statement, witness, EFFORT))
     }
 
     fn statement(&mut self) -> &mut Statement {
@@ -240,10 +240,7 @@ const FIGURES: usize = 12;
 /// The point of a witness, in the names of the sheet.
 pub fn point(witness: &With<Witness>) -> Vec<(String, String)> {
     let mut statement = witness.statement.clone();
-    let values = Values::new(&mut statement, &witness.evidence);
-    values
-        .map(|mut values| named(&mut values, &witness.evidence))
-        .unwrap_or_default()
+    named(&mut Values::new(&mut statement, &witness.evidence), &witness.evidence)
 }
 
 /// The symbols and functions that the claim and its premises speak of, with their values.
@@ -328,7 +325,7 @@ fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
 /// The point of a witness, in the names of the sheet, and the two sides of the relation whose goal fails there.
 pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample> {
     let mut statement = witness.statement.clone();
-    let mut values = Values::new(&mut statement, &witness.evidence)?;
+    let mut values = Values::new(&mut statement, &witness.evidence);
     let point = named(&mut values, &witness.evidence);
     let goals = values.statement().goal().to_vec();
     for (property, goal) in goals {

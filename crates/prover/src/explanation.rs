@@ -553,9 +553,7 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
             .map(|(name, value)| format!("  {}", formula(format!("{name} = {value}")))),
     );
     let mut statement = witness.statement.clone();
-    let Some(mut values) = Values::new(&mut statement, &witness.evidence) else {
-        return;
-    };
+    let mut values = Values::new(&mut statement, &witness.evidence);
     let premises = values.premises();
     if !premises.is_empty() {
         lines.push("there the premises are".into());
