@@ -319,7 +319,12 @@ fn write_proofs(
         ),
         false => ("py", "scripts", "run each with Python"),
     };
-    let is_decided = |row: &&Row| matches!(row.decision.verdict, Verdict::Proved | Verdict::Refuted);
+    let is_decided = |row: &&Row| {
+        matches!(
+            row.decision.verdict,
+            Verdict::Proved | Verdict::Refuted | Verdict::Conditional
+        )
+    };
     let rows: Vec<usize> = rows.iter().filter(is_decided).map(|row| row.position).collect();
     let names = prove::file_names(sheet, &rows);
     let token = Token::current();

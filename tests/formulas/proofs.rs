@@ -79,6 +79,17 @@ tex = 'f(x + 1) = f(x)'
 label = "relation"
 role = "claim"
 tex = '\frac{1}{s} = \frac{s}{2}'
+
+[[equation]]
+label = "product"
+role = "premise"
+tex = 'x (a y - b) = 0'
+
+[[equation]]
+label = "divided"
+role = "claim"
+tex = 'y = \frac{b}{a}'
+follows_from = ["product"]
 "#;
 
 fn own() -> Sheet {
@@ -232,6 +243,7 @@ fn scripts_accept_what_the_kernel_accepts() {
         "slope",
         "free",
         "relation",
+        "divided",
     ];
     let mut all = all_scripts(&own(), &labels);
     assert!(all.len() >= 6, "{} decided", all.len());
@@ -285,6 +297,27 @@ fn proof_data_is_accepted_by_its_checker() {
     files.push(("schema.json".to_owned(), SCHEMA.to_owned()));
     let (all, said) = checked(&python, &scratch("data"), &files);
     assert!(all && said.len() > 25, "{}", said.join("\n"));
+}
+
+#[test]
+fn a_conditional_claim_has_a_proof_and_two_points() {
+    let sheet = own();
+    let of = decided(&sheet, sheet.find("divided").unwrap(), &Options::default());
+    let verdicts: Vec<&str> = (of.iter())
+        .map(|one| match one.found {
+            Found::Proved { .. } => "proved",
+            Found::Refuted { .. } => "refuted",
+        })
+        .collect();
+    assert_eq!(verdicts, ["proved", "refuted", "proved"]);
+    let texts = proof_data(&sheet, sheet.find("divided").unwrap(), &Options::default());
+    for (text, part) in texts
+        .iter()
+        .zip([r"where x \\neq 0", "where x = 0", "where x = 0 and it holds"])
+    {
+        assert!(text.contains(&format!("\"part\": \"{part}\"")), "{part}: {text}");
+    }
+    assert_eq!(texts.len(), 3);
 }
 
 #[test]

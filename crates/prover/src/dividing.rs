@@ -1,7 +1,9 @@
 //! Divisions that authors do not mention.
 
-use super::{Outcome, outcome, proof};
-use claims::{Goal, Premise, Question, divisors};
+use super::point::Wanted;
+use super::script::Found;
+use super::{Outcome, outcome, points, proof};
+use claims::{Goal, Premise, Question, Verdict, divisors};
 use kernel::Statement;
 use numbers::{Field, Rational};
 use texmath::{Condition, DoubtKind, Equation, Relation, Tree, any};
@@ -14,9 +16,18 @@ const FEW_STEPS: u64 = 200_000;
 pub(super) struct Division {
     /// That the author may have meant to divide.
     pub(super) doubt: DoubtKind,
-    /// The condition, that a factor is not 0, under which the claim follows; without it, it fails at some points and holds at others.
-    pub(super) condition: Option<Equation>,
+    pub(super) exception: Option<Exception>,
 }
+
+/// A condition, that a factor is not 0, under which a claim follows; without it, it fails at some points and holds at others.
+pub(super) struct Exception {
+    pub(super) condition: Equation,
+    /// What shows this: that it follows, where it fails, and where it holds.
+    pub(super) shown: Vec<Shown>,
+}
+
+/// A goal, its question, and what decides it.
+pub(super) type Shown = (Goal, Question, Found);
 
 impl Division {
     pub(super) fn of(goal: &Goal, question: &Question, effort: u64) -> Option<Self> {
@@ -37,13 +48,18 @@ impl Division {
             let factors = factors(divisor).into_iter();
             factors.filter(move |factor| premise.is_some_and(|premise| is_factor(factor, &premise.equation)))
         });
-        let found = conditions.find(|factor| search.is_exception(factor));
+        let exception = conditions.find_map(|factor| {
+            Some(Exception {
+                condition: relation(factor, Relation::NotEqual),
+                shown: search.exception(factor)?,
+            })
+        });
         Some(Self {
             doubt: DoubtKind::Factor {
                 factor: factor.to_string(),
                 premise: premise.clone(),
             },
-            condition: found.map(|factor| relation(factor, Relation::NotEqual)),
+            exception,
         })
     }
 }
@@ -62,27 +78,40 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The question under more conditions.
-    fn under(&self, conditions: impl IntoIterator<Item = Equation>) -> Option<Statement> {
-        let mut statements = self.goal.statements.clone();
-        let conditions = conditions.into_iter().map(Condition::Relation);
-        statements.assume.extend(conditions);
-        let questions = claims::questions(&statements, &self.goal.symbols).ok()?;
+    /// The goal and its question under more conditions.
+    fn under(&self, conditions: impl IntoIterator<Item = Equation>) -> Option<(Goal, Question)> {
+        let mut goal = self.goal.clone();
+        let conditions: Vec<Equation> = conditions.into_iter().collect();
+        goal.part = conditions
+            .iter()
+            .map(|own| format!("where {own}"))
+            .collect::<Vec<_>>()
+            .join(", ");
+        goal.statements
+            .assume
+            .extend(conditions.into_iter().map(Condition::Relation));
+        let questions = claims::questions(&goal.statements, &goal.symbols).ok()?;
         let is_same =
             |other: &Question| other.equation == self.question.equation && other.instance == self.question.instance;
-        questions.into_iter().find(is_same).map(|question| question.statement)
+        let question = questions.into_iter().find(is_same)?;
+        Some((goal, question))
     }
 
     fn without(&self, divisors: &[(String, Tree)]) -> Option<Statement> {
         let conditions = divisors
             .iter()
             .map(|(_, divisor)| relation(divisor, Relation::NotEqual));
-        self.under(conditions)
+        self.under(conditions).map(|(_, question)| question.statement)
     }
 
     fn follows(&self, divisors: &[(String, Tree)]) -> bool {
-        self.without(divisors)
-            .is_some_and(|statement| proof::search(&statement, FEW_STEPS).is_some() && self.is_proved(&statement))
+        let Some(statement) = self.without(divisors) else {
+            return false;
+        };
+        // mostly it is false for another reason, which costs less to see than to look for a proof
+        let found = points(&statement, Wanted::Either, self.effort);
+        let is_false = matches!(found, Some((_, kernel::Evaluated::Fails(_))));
+        !is_false && proof::search(&statement, FEW_STEPS).is_some() && self.is_proved(&statement)
     }
 
     fn is_proved(&self, statement: &Statement) -> bool {
@@ -98,25 +127,30 @@ impl Search<'_> {
             && self.without(std::slice::from_ref(divisor)).is_some_and(is_undecided)
     }
 
-    /// Returns true if the claim follows where a factor is not 0, fails at a point at which it is 0, and holds at another one.
-    fn is_exception(&self, factor: &Tree) -> bool {
+    /// What shows that the claim follows where a factor is not 0, fails at a point at which it is 0, and holds at another one.
+    fn exception(&self, factor: &Tree) -> Option<Vec<Shown>> {
         let vanishes = || relation(factor, Relation::Equal);
-        let follows = self.under([relation(factor, Relation::NotEqual)]);
-        let fails = self.under([vanishes()]);
+        let follows = self.shown(self.under([relation(factor, Relation::NotEqual)])?, Verdict::Proved)?;
+        let fails = self.shown(self.under([vanishes()])?, Verdict::Refuted)?;
         let mut holding = self.goal.clone();
         let premises = holding.statements.claims.drain(..);
-        let premises: Vec<Premise> = premises.map(|claim| Premise::known("", claim)).collect();
+        let premises: Vec<Premise> = premises.map(|claim| Premise::known("the claim", claim)).collect();
         holding.statements.premises.extend(premises);
         holding.statements.claims.push(vanishes());
         holding.statements.assume.push(Condition::Relation(vanishes()));
-        let is_proved = |statement: &Statement| self.is_proved(statement);
-        let holds = || {
-            let questions = claims::questions(&holding.statements, &holding.symbols).unwrap_or_default();
-            !questions.is_empty() && questions.iter().all(|question| is_proved(&question.statement))
-        };
-        follows.as_ref().is_some_and(is_proved)
-            && fails.is_some_and(|statement| matches!(outcome(&statement, self.effort), Outcome::Refuted(..)))
-            && holds()
+        holding.part = format!("where {} and it holds", vanishes());
+        let questions = claims::questions(&holding.statements, &holding.symbols).ok()?;
+        let holds = questions
+            .into_iter()
+            .map(|question| self.shown((holding.clone(), question), Verdict::Proved));
+        let holds: Vec<Shown> = holds.collect::<Option<_>>()?;
+        (!holds.is_empty()).then(|| [follows, fails].into_iter().chain(holds).collect())
+    }
+
+    /// A question with what gives it a verdict.
+    fn shown(&self, (goal, question): (Goal, Question), wanted: Verdict) -> Option<Shown> {
+        let found = Found::of(outcome(&question.statement, self.effort)).filter(|found| found.verdict() == wanted)?;
+        Some((goal, question, found))
     }
 }
 

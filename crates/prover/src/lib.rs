@@ -131,7 +131,10 @@ fn given_unread(standing: Standing, fault: &Fault) -> String {
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let searched = search(sheet, position, options, true);
     let (verdict, mut kept) = (searched.decision.found(), searched.kept);
-    kept.retain(|one| one.found.verdict() == verdict);
+    kept.retain(|one| match verdict {
+        Verdict::Conditional => one.of_exception,
+        verdict => !one.of_exception && one.found.verdict() == verdict,
+    });
     kept
 }
 
@@ -632,7 +635,7 @@ impl<'a> Search<'a> {
                         decision.point = counterexample::point(&point);
                     }
                     proofs.push(proof);
-                    self.keep(goal, question, Found::Proved { certificate, point });
+                    self.keep(goal, question, Found::Proved { certificate, point }, false);
                 }
                 Outcome::Refuted(refuted, witness) => {
                     let power = negative_power(&question.equation);
@@ -657,9 +660,14 @@ impl<'a> Search<'a> {
                     decision.counterexample = counterexample::at(&witness, question.equation.relation);
                     if let Some(division) = Division::of(goal, &question, self.options.effort) {
                         decision.doubts.push(division.doubt);
-                        decision.exception = division.condition.filter(|_| count == 1);
+                        if let Some(exception) = division.exception.filter(|_| count == 1) {
+                            for (goal, question, found) in exception.shown {
+                                self.keep(&goal, question, found, true);
+                            }
+                            decision.exception = Some(exception.condition);
+                        }
                     }
-                    self.keep(goal, question, Found::Refuted { witness });
+                    self.keep(goal, question, Found::Refuted { witness }, false);
                     break;
                 }
                 Outcome::Contradictory(labels) => {
@@ -685,7 +693,7 @@ impl<'a> Search<'a> {
         decision
     }
 
-    fn keep(&mut self, goal: &Goal, question: claims::Question, found: Found) {
+    fn keep(&mut self, goal: &Goal, question: claims::Question, found: Found, of_exception: bool) {
         if let Some(kept) = &mut self.kept {
             kept.push(Decided {
                 label: self.start.label.clone(),
@@ -693,6 +701,7 @@ impl<'a> Search<'a> {
                 question,
                 found,
                 goal: goal.clone(),
+                of_exception,
             });
         }
     }

@@ -8,7 +8,7 @@
 //! is an error in Python.
 
 use super::formula::{Formulas, list, quoted};
-use super::{Options, decided, proof_in_words};
+use super::{Options, Outcome, decided, proof_in_words};
 use crate::checksum::Checksum;
 use claims::{Goal, Question, Sheet, Verdict};
 use kernel::{
@@ -47,6 +47,15 @@ pub enum Found {
 }
 
 impl Found {
+    /// What decides a question, of what came of it.
+    pub(super) fn of(outcome: Outcome) -> Option<Self> {
+        match outcome {
+            Outcome::Proved(_, certificate, point) => Some(Self::Proved { certificate, point }),
+            Outcome::Refuted(_, witness) => Some(Self::Refuted { witness }),
+            Outcome::Contradictory(_) | Outcome::Undecided(_) => None,
+        }
+    }
+
     pub(super) fn verdict(&self) -> Verdict {
         match self {
             Self::Proved { .. } => Verdict::Proved,
@@ -64,6 +73,8 @@ pub struct Decided {
     pub question: Question,
     pub found: Found,
     pub(super) goal: Goal,
+    /// Whether it is one of the questions that show a claim to be `conditional`.
+    pub(super) of_exception: bool,
 }
 
 /// The scripts of the claim at a position, one for each question that is decided.
