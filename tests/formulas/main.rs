@@ -12,6 +12,7 @@ mod evidence;
 mod handbook;
 mod hard_cases;
 mod kernel;
+mod limits;
 mod papers;
 mod proofs;
 mod reductions;

@@ -156,6 +156,20 @@ impl Entry {
     }
 }
 
+/// Returns true for a limit in which a letter grows without bound.
+fn grows(limit: &Tree, letter: &Tree) -> bool {
+    match (limit, letter) {
+        (Tree::Operation(operation, _), Tree::Symbol(letter, _)) => match &**operation {
+            Operation::Limit { by, to, .. } => {
+                let is_infinity = matches!(to, Tree::Operation(to, _) if matches!(**to, Operation::Infinity));
+                by == letter && is_infinity
+            }
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
 impl Sheet {
     /// Reads letters before brackets as the values of what they stand for, `V(x^2)` after `V = a x^2 + b`, where the argument is the
     /// letter that both share; the product stays as another reading. A sum in brackets is mostly a factor.
@@ -502,6 +516,7 @@ impl Sheet {
                 if let Tree::RealPower(base, exponent, _) = node
                     && is_at_times_whole(exponent, &integers)
                     && !is_plainly_not_negative(base, &self.symbols, &assumed)
+                    && !any(side, &mut |limit| grows(limit, base))
                 {
                     let (base, exponent) = ((**base).clone(), (**exponent).clone());
                     found.push(DoubtKind::PowerOfSign { base, exponent });

@@ -7,7 +7,7 @@ use super::layout::Plain;
 use super::reader::Reader;
 use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Condition, Doubt, DoubtKind, Doubts, Equation, Name, Names, ReadError, Relation, Tree};
+use super::{At, Condition, Doubt, DoubtKind, Doubts, Equation, Name, Names, Operation, ReadError, Relation, Tree};
 
 /// What a display says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -261,7 +261,11 @@ impl Reader<'_> {
             self.next += 1;
             let side = self.next;
             let start = self.here();
-            let right = *self.sum()?;
+            let is_limit = matches!(&left, Tree::Operation(own, _) if matches!(**own, Operation::Limit { .. }));
+            let right = match is_limit && self.infinity_ahead().is_some() {
+                true => self.limit_or_infinity()?,
+                false => *self.sum()?,
+            };
             let end = self.look_back();
             let left = std::mem::replace(&mut left, right.clone());
             let Some(relation) = relation else {

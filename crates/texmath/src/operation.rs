@@ -283,7 +283,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A limit of an integral, or of what is taken between limits: that of a sum, or infinity with or without a sign.
-    fn limit_or_infinity(&mut self) -> Result<Tree, Fault> {
+    pub(super) fn limit_or_infinity(&mut self) -> Result<Tree, Fault> {
         let Some(ahead) = self.infinity_ahead() else {
             return Ok(*self.argument()?);
         };
@@ -306,7 +306,7 @@ impl<'a> Reader<'a> {
     }
 
     /// How many signs and braces stand before the sign of infinity that stands next.
-    fn infinity_ahead(&self) -> Option<usize> {
+    pub(super) fn infinity_ahead(&self) -> Option<usize> {
         let infinite = (0..3).find(|&ahead| self.look(ahead).is_some_and(|token| token.kind == Kind::Infinity));
         infinite.filter(|&ahead| (0..ahead).all(|at| self.is_sign_or_brace(at)))
     }

@@ -140,7 +140,7 @@ pub(super) fn with_domain(statements: &Statements, symbols: &Symbols) -> Stateme
 
 /// Conditions that hold wherever a tree has a value. Of an integral they are those of its limits, and those of what is
 /// integrated that do not move with its letter.
-fn necessary(tree: &Tree, found: &mut Vec<Equation>) {
+pub(super) fn necessary(tree: &Tree, found: &mut Vec<Equation>) {
     match tree {
         Tree::Operation(operation, _) => {
             if let Operation::Integral { of, by, limits } = &**operation {

@@ -9,7 +9,8 @@ use super::cases::is_absolute;
 use super::derivative::{By, mentions};
 use super::evaluate::evaluated;
 use super::gaussian::quadratic_exponential;
-use super::limit::{as_goals, of_limit};
+use super::germ::End;
+use super::limit::of_limit;
 use super::{Antiderivatives, Goal, Reduced, Rule, defined, fresh};
 use numbers::{Field, Rational};
 use texmath::{
@@ -573,9 +574,12 @@ impl Definite<'_> {
                 None => rewrite(&whole, &|name| (name == self.letter).then(|| limit.clone())),
                 Some(_) => {
                     // what does not move in the antiderivative has a value, by the lemmas
-                    let (value, needed, _) = of_limit(self.statements, self.symbols, &whole, self.letter, limit)?;
-                    lemmas.extend(as_goals(self.statements, self.symbols, needed));
-                    value
+                    let found = of_limit(self.statements, self.symbols, &whole, self.letter, limit)?;
+                    lemmas.extend(found.lemmas);
+                    match found.end {
+                        Some(End::Finite(value)) => *value,
+                        _ => return Err("an integral that diverges, as far as it is followed".to_owned()),
+                    }
                 }
             });
         }

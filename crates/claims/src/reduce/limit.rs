@@ -1,21 +1,22 @@
-//! Limits, and what is of the order of a power, by power series in what tends to 0.
+//! Limits, and what is of an order, by the growth of functions.
 
 use super::super::premise::Statements;
-use super::build::{difference, infinity, integer, is_zero, sum};
+use super::build::{difference, infinity, integer, is_zero, negative, plain, quotient, sum, symbol};
+use super::defined;
 use super::derivative::mentions;
-use super::integers::whole;
-use super::series::{Series, Small, is_likely_zero, with_factorials};
-use super::{Goal, Rule, is_spoken_of, rewritten, trees};
-use texmath::{Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, holds, mapped, rewrite};
+use super::germ::{End, Germs, SHORT};
+use super::prepared::with_factorials;
+use super::series::{add, point_of, relation};
+use super::{Goal, Rule, fresh, integers, is_spoken_of, rewritten, trees};
+use std::collections::{BTreeSet, HashMap};
+use texmath::{
+    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, mapped, names_in, rewrite,
+};
 
-/// The terms of a series of a limit, and those that are taken beyond an order.
-const TERMS: usize = 10;
-const BEYOND: usize = 4;
+/// The numbers of terms of series that are tried, each where fewer do not tell.
+const LENGTHS: [usize; 3] = [5, 12, 26];
 
-/// The highest order.
-const HIGHEST: i64 = 20;
-
-/// Whether limits or orders stand in the statements.
+/// Returns true if limits or orders stand in the statements.
 pub(super) fn stands_in(statements: &Statements) -> bool {
     trees(statements).into_iter().any(|tree| {
         any(tree, &mut |node| {
@@ -25,7 +26,7 @@ pub(super) fn stands_in(statements: &Statements) -> bool {
     })
 }
 
-/// The statements without limits and orders, and what must hold for these to be what they are.
+/// Returns the statements without limits and orders, and what must hold for these to be what they are.
 pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(Statements, Vec<Goal>), String> {
     let mut out = rewritten(statements, Rule::BinomialFactorials, &with_factorials);
     let approached = approached(&mut out)?;
@@ -35,19 +36,31 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
         let Operation::Limit { of, by, to } = &limit else {
             break;
         };
-        let (value, needed, written) = of_limit(&out, symbols, of, by, to)?;
-        out.claims
-            .extend(written.into_iter().map(|tree| Equation::between(tree.clone(), tree)));
-        lemmas.extend(as_goals(&out, symbols, needed));
+        let found = of_limit(&out, symbols, of, by, to)?;
+        out.claims.extend(
+            found
+                .written
+                .into_iter()
+                .map(|tree| Equation::between(tree.clone(), tree)),
+        );
+        lemmas.extend(found.lemmas);
+        let Some(End::Finite(value)) = found.end else {
+            out = without_value(&out, &limit, found.end.as_ref())?;
+            continue;
+        };
         out = rewritten(&out, Rule::LimitSeries, &|tree| {
             mapped(tree, &|node| match node {
-                Tree::Operation(operation, _) if **operation == limit => Some(value.clone()),
+                Tree::Operation(operation, _) if **operation == limit => Some((*value).clone()),
                 _ => None,
             })
         });
     }
     let mut claims = Vec::new();
     for claim in std::mem::take(&mut out.claims) {
+        if let Some(own) = of_infinity(&claim)? {
+            claims.extend(own);
+            continue;
+        }
         if !holds(&claim, &|operation| matches!(operation, Operation::Order(_))) {
             claims.push(claim);
             continue;
@@ -56,14 +69,89 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
         let (by, to) = approached.ok_or("what tends to what? write `x \\to 0` as an assumption")?;
         let (own, needed) = of_order(&out, symbols, &claim, &by, &to)?;
         out = out.by(Rule::OrderSeries);
-        lemmas.extend(as_goals(&out, symbols, needed));
+        lemmas.extend(needed);
         claims.extend(own);
     }
     out.claims = claims;
     Ok((out, lemmas))
 }
 
-/// What tends to 0 in `a = 1 + x + O(x^2)`: beside an order, lower powers of the same symbol say so, for where it grows
+/// Returns a claim that holds nowhere.
+fn falsehood() -> Equation {
+    Equation::between(integer(0), integer(1))
+}
+
+/// Returns the claim that a tree has a value.
+fn has_value(tree: Tree) -> Equation {
+    Equation::between(tree.clone(), tree)
+}
+
+/// Returns the statements with a limit that is no number: infinity where it is one side of an equation. No equation of numbers holds
+/// where one side is no limit at all.
+fn without_value(statements: &Statements, limit: &Operation, end: Option<&End>) -> Result<Statements, String> {
+    let is_limit = |tree: &Tree| matches!(tree, Tree::Operation(operation, _) if **operation == *limit);
+    let mut out = statements.clone().by(Rule::LimitSeries);
+    for claim in &mut out.claims {
+        let other = match (is_limit(&claim.left), is_limit(&claim.right)) {
+            (true, false) => claim.right.clone(),
+            (false, true) => claim.left.clone(),
+            _ => continue,
+        };
+        if claim.relation != Relation::Equal || any(&other, &mut |node| holds_limit(node)) {
+            continue;
+        }
+        let infinite = Tree::Operation(Box::new(Operation::Infinity), claim.at);
+        match end {
+            Some(End::Infinite(is_positive)) => {
+                claim.left = if *is_positive { infinite } else { negative(infinite) };
+                claim.right = other;
+            }
+            _ if infinity(&other).is_some() => *claim = falsehood(),
+            _ => {
+                claim.left = infinite;
+                claim.right = other;
+            }
+        }
+    }
+    let is_left = trees(&out)
+        .into_iter()
+        .any(|tree| any(tree, &mut |node| is_limit(node)));
+    match is_left {
+        true => Err("a limit that is infinite or does not exist".to_owned()),
+        false => Ok(out),
+    }
+}
+
+fn holds_limit(node: &Tree) -> bool {
+    matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Limit { .. }))
+}
+
+/// Reduces an equation with an infinite side.
+fn of_infinity(claim: &Equation) -> Result<Option<Vec<Equation>>, String> {
+    let is_infinite = |node: &Tree| infinity(node).is_some();
+    if !any_side(claim, &mut |node| is_infinite(node)) {
+        return Ok(None);
+    }
+    let (left, right) = (infinity(&claim.left), infinity(&claim.right));
+    let other = match (left, right) {
+        (Some(left), Some(right)) if claim.relation == Relation::Equal => {
+            return Ok(Some(vec![if left == right {
+                has_value(integer(0))
+            } else {
+                falsehood()
+            }]));
+        }
+        (Some(_), None) => &claim.right,
+        (None, Some(_)) => &claim.left,
+        _ => return Err("a limit stands where it is not read".to_owned()),
+    };
+    if claim.relation != Relation::Equal || any(other, &mut |node| is_infinite(node)) {
+        return Err("a limit stands where it is not read".to_owned());
+    }
+    Ok(Some(vec![falsehood(), has_value(other.clone())]))
+}
+
+/// Returns what tends to 0 in `a = 1 + x + O(x^2)`: beside an order, lower powers of the same symbol say so, for where it grows
 /// they would be of that order themselves.
 fn implied(claim: &Equation, symbols: &Symbols) -> Option<(Name, Tree)> {
     let Tree::Sum(terms) = &claim.right else {
@@ -94,7 +182,7 @@ fn implied(claim: &Equation, symbols: &Symbols) -> Option<(Name, Tree)> {
     (is_meant && is_number).then_some((name, integer(0)))
 }
 
-/// The power of a symbol that a term is a multiple of.
+/// Returns the power of a symbol that a term is a multiple of.
 fn degree_in(tree: &Tree, name: &Name) -> Option<i32> {
     match tree {
         Tree::Symbol(other, _) if other == name => Some(1),
@@ -147,91 +235,250 @@ fn first_limit(statements: &Statements) -> Option<Operation> {
     found
 }
 
-/// Each condition as a goal of its own: in one statement they would be taken to be defined together.
-pub(super) fn as_goals(statements: &Statements, symbols: &Symbols, needed: Vec<Equation>) -> Vec<Goal> {
-    let goal = |condition: Equation| {
-        let mut alone = statements.clone().by(Rule::LimitSeries);
-        alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
-        let part = format!("the series: {condition}");
-        alone.claims = vec![condition];
-        Goal::of(&alone, symbols, part)
-    };
-    needed.into_iter().map(goal).collect()
+/// A limit with what must hold for it to be right.
+pub(super) struct Limit {
+    /// Nothing where there is none.
+    pub end: Option<End>,
+    pub lemmas: Vec<Goal>,
+    /// Trees that do not move and must have a value.
+    pub written: Vec<Tree>,
 }
 
-/// A series in what tends to 0 when `by` tends to `to`.
-fn small<'a>(
-    statements: &Statements,
-    symbols: &'a Symbols,
+/// One function towards one side, and what is known of it there.
+struct Side<'a> {
+    germs: Germs<'a>,
+    end: Option<End>,
+}
+
+/// A letter of statements that tends to something.
+struct Approach<'a> {
+    statements: &'a Statements,
+    /// With the names that stand for what grows and what oscillates.
+    symbols: Symbols,
     by: &'a Name,
-    to: &Tree,
-    length: usize,
-) -> Result<Small<'a>, String> {
-    if is_spoken_of(statements, symbols, by) || symbols.running() == Some(by) {
-        return Err(format!(
-            "premises speak of `{by}`: what depends on it there is not followed"
-        ));
-    }
-    if trees(statements).into_iter().any(|tree| symbols.may_be_complex(tree)) {
-        return Err("limits of complex numbers are not read".to_owned());
-    }
-    let (to, side) = match to {
-        Tree::Operation(operation, _) => match &**operation {
-            Operation::OneSided(to, is_above) => (to, Some(*is_above)),
-            _ => (to, None),
-        },
-        to => (to, None),
-    };
-    let (value, is_positive) = match infinity(to) {
-        Some(is_above) => {
-            let value = Series::small(-1, length);
-            (if is_above { value } else { value.scaled(&integer(-1)) }, true)
-        }
-        None => {
-            let sign = integer(if side == Some(false) { -1 } else { 1 });
-            let mut value = match is_zero(to) {
-                true => Series::small(1, length),
-                false => Series::constant(to.clone(), length),
-            };
-            let first = usize::from(value.low == 0);
-            if let Some(term) = value.terms.get_mut(first) {
-                *term = sign;
-            }
-            (value, side.is_some())
-        }
-    };
-    let spoken = |name: &Name| {
-        let premises = statements.premises.iter();
-        let mut sides = premises.flat_map(|premise| [&premise.equation.left, &premise.equation.right]);
-        sides.any(|side| {
-            any(
-                side,
-                &mut |node| matches!(node, Tree::Call(other, ..) | Tree::Symbol(other, _) if other.bare() == name.bare()),
-            )
-        })
-    };
-    let functions = symbols.functions().map(|(name, _)| name);
-    let given = functions.filter(|name| spoken(name)).cloned().collect();
-    Ok(Small {
-        symbols,
-        given,
-        name: by,
-        value,
-        is_positive,
-        length,
-        needed: Vec::new(),
-        written: Vec::new(),
-    })
+    letter: Name,
+    like: Name,
+    to: &'a Tree,
 }
 
-/// The limit, what must hold for it to be that, and what does not move in it and must have a value.
+impl<'a> Approach<'a> {
+    fn of(statements: &'a Statements, symbols: &Symbols, by: &'a Name, to: &'a Tree) -> Result<Self, String> {
+        if is_spoken_of(statements, symbols, by) || symbols.running() == Some(by) {
+            return Err(format!(
+                "premises speak of `{by}`: what depends on it there is not followed"
+            ));
+        }
+        if trees(statements).into_iter().any(|tree| symbols.may_be_complex(tree)) {
+            return Err("limits of complex numbers are not read".to_owned());
+        }
+        if symbols.declares(&plain("\\pi")) {
+            return Err(r"a limit where `\pi` is a letter".to_owned());
+        }
+        let mut symbols = symbols.clone();
+        let letter = fresh(statements, &symbols, "x");
+        symbols.let_be_parameter(&letter, true);
+        let like = fresh(statements, &symbols, "y");
+        for place in 1..=MOST_WAVES {
+            let wave = Name {
+                subscript: place.to_string(),
+                ..like.clone()
+            };
+            symbols.let_be_parameter(&wave, false);
+        }
+        let own = Self {
+            statements,
+            symbols,
+            by,
+            letter,
+            like,
+            to,
+        };
+        match own.is_integer() && infinity(to).is_none() {
+            true => Err(format!("`{by}` is an integer and tends to a number")),
+            false => Ok(own),
+        }
+    }
+
+    fn is_integer(&self) -> bool {
+        self.symbols.is_integer(self.by) || integers::integers(self.statements, &self.symbols).contains(self.by)
+    }
+
+    /// Returns the letter by one that grows without bound: from above and from below, where it tends to a number.
+    fn sides(&self) -> Vec<Tree> {
+        let (to, side) = match self.to {
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::OneSided(to, is_above) => (to, Some(*is_above)),
+                _ => (self.to, None),
+            },
+            to => (to, None),
+        };
+        let large = symbol(&self.letter);
+        if let Some(is_above) = infinity(to) {
+            return vec![if is_above { large } else { negative(large) }];
+        }
+        let small = quotient(integer(1), large);
+        let at = |small: Tree| {
+            if is_zero(to) {
+                small
+            } else {
+                sum(vec![to.clone(), small])
+            }
+        };
+        let (above, below) = (at(small.clone()), at(negative(small)));
+        match side {
+            Some(true) => vec![above],
+            Some(false) => vec![below],
+            None => vec![above, below],
+        }
+    }
+
+    fn germs(&self, of: &Tree, length: usize) -> Germs<'_> {
+        let statements = self.statements;
+        let spoken = |name: &Name| {
+            let premises = statements.premises.iter();
+            let mut sides = premises.flat_map(|premise| [&premise.equation.left, &premise.equation.right]);
+            sides.any(|side| {
+                any(
+                    side,
+                    &mut |node| matches!(node, Tree::Call(other, ..) | Tree::Symbol(other, _) if other.bare() == name.bare()),
+                )
+            })
+        };
+        let functions = self.symbols.functions().map(|(name, _)| name);
+        let mut names = BTreeSet::new();
+        names_in(of, &mut names);
+        names_in(self.to, &mut names);
+        trees(statements)
+            .into_iter()
+            .for_each(|tree| names_in(tree, &mut names));
+        names.remove(&self.letter);
+        let conditions = statements.assume.iter().filter_map(|condition| match condition {
+            Condition::Relation(relation) => Some(relation),
+            Condition::Integer(_) => None,
+        });
+        let domain = self.domain(&[]);
+        let conditions: Vec<&Equation> = conditions.chain(&domain).collect();
+        Germs {
+            symbols: &self.symbols,
+            given: functions.filter(|name| spoken(name)).cloned().collect(),
+            letter: self.letter.clone(),
+            by: self.by.clone(),
+            like: self.like.clone(),
+            is_integer: self.is_integer(),
+            point: point_of(&names.into_iter().collect::<Vec<Name>>(), &conditions, &self.symbols),
+            length,
+            needed: Vec::new(),
+            written: Vec::new(),
+            waves: Vec::new(),
+            is_one_sided: false,
+            limits: HashMap::new(),
+            steps: 0,
+            depth: 0,
+        }
+    }
+
+    /// Returns conditions that hold wherever the claims and what is written have a value.
+    fn domain(&self, written: &[Tree]) -> Vec<Equation> {
+        let mut found = Vec::new();
+        let sides = self
+            .statements
+            .claims
+            .iter()
+            .flat_map(|claim| [&claim.left, &claim.right]);
+        sides
+            .chain(written)
+            .for_each(|tree| defined::necessary(tree, &mut found));
+        found.retain(|own| !mentions(&own.left, self.by) && !mentions(&own.right, self.by));
+        found
+    }
+
+    /// Returns the result of work on a function towards one side, with as many terms as it takes.
+    fn followed<T>(
+        &'a self,
+        of: &Tree,
+        side: &Tree,
+        work: &dyn Fn(&mut Germs<'a>, &Tree) -> Result<T, String>,
+    ) -> Result<(T, Germs<'a>), String> {
+        let of = rewrite(of, &|name| (name == self.by).then(|| side.clone()));
+        let mut reason = SHORT.to_owned();
+        for length in LENGTHS {
+            let mut germs = self.germs(&of, length);
+            let found = germs.prepared(&of).and_then(|prepared| work(&mut germs, &prepared));
+            match found {
+                Ok(found) if germs.waves.len() <= MOST_WAVES => return Ok((found, germs)),
+                Ok(_) => return Err("so many functions that oscillate".to_owned()),
+                Err(short) if short == SHORT => reason = short,
+                Err(reason) => return Err(reason),
+            }
+        }
+        Err(reason)
+    }
+
+    /// Returns the limit towards one side; none where what oscillates has an effect.
+    fn one_sided(&'a self, of: &Tree, side: &Tree) -> Result<Side<'a>, String> {
+        let (end, mut germs) = self.followed(of, side, &|germs, prepared| germs.limit(prepared))?;
+        let waves: Vec<Name> = germs.waves.iter().map(|(_, name, _)| name.clone()).collect();
+        let moves = |tree: &Tree| waves.iter().any(|name| mentions(tree, name));
+        let end = match end {
+            End::Finite(value) if moves(&value) => {
+                let [(_, name, true)] = germs.waves.as_slice() else {
+                    return Err("what oscillates has an effect on the limit".to_owned());
+                };
+                let at = |place: i64| rewrite(&value, &|other| (other == name).then(|| integer(place)));
+                let difference = add(vec![at(1), negative(at(-1))]);
+                germs.need(relation(difference, Relation::NotEqual));
+                None
+            }
+            end => Some(end),
+        };
+        Ok(Side { germs, end })
+    }
+
+    /// Returns each condition as a goal of its own: in one statement they would be taken to be defined together.
+    fn goals(&self, needed: Vec<Equation>, written: &[Tree]) -> Vec<Goal> {
+        let mut base = self.statements.clone().by(Rule::LimitSeries);
+        base.premises.retain(|premise| !holds(&premise.equation, &|_| true));
+        let domain = self.domain(written);
+        let own = |name: &Name| {
+            let tree = symbol(name);
+            if *name == self.letter {
+                return Some(relation(difference(tree, integer(1)), Relation::Greater));
+            }
+            let is_wave =
+                name.base == self.like.base && name.primes == self.like.primes && name.accents == self.like.accents;
+            let square = difference(super::build::power(tree, 2), integer(1));
+            (is_wave && !name.subscript.is_empty()).then(|| relation(square, Relation::LessOrEqual))
+        };
+        let goal = |condition: Equation| {
+            let mut alone = base.clone();
+            let part = format!("the series: {condition}");
+            let mut names = BTreeSet::new();
+            names_in(&condition.left, &mut names);
+            names_in(&condition.right, &mut names);
+            let further = names.iter().filter_map(own).chain(domain.iter().cloned());
+            for assumed in further.map(Condition::Relation) {
+                if !alone.assume.contains(&assumed) {
+                    alone.assume.push(assumed);
+                }
+            }
+            alone.claims = vec![condition];
+            Goal::of(&alone, &self.symbols, part)
+        };
+        needed.into_iter().map(goal).collect()
+    }
+}
+
+/// The most functions in a limit that oscillate.
+const MOST_WAVES: usize = 4;
+
+/// Returns the limit of a tree.
 pub(super) fn of_limit(
     statements: &Statements,
     symbols: &Symbols,
     of: &Tree,
     by: &Name,
     to: &Tree,
-) -> Result<(Tree, Vec<Equation>, Vec<Tree>), String> {
+) -> Result<Limit, String> {
     let of = rewrite(of, &|name| symbols.meaning(name, &|_| false));
     let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
     let mut moves = None;
@@ -244,106 +491,119 @@ pub(super) fn of_limit(
     if let Some(name) = moves {
         return Err(format!("`{name}` may move with `{by}`"));
     }
-    let mut small = small(statements, symbols, by, to, TERMS)?;
-    let series = small.of(&of)?;
-    let (mut needed, written) = (small.needed, small.written);
-    for exponent in series.low..0 {
-        let term = series.at(exponent).ok_or("a series that is not followed far enough")?;
-        if !is_likely_zero(&term) {
-            return Err("this limit does not exist, as far as it is followed".to_owned());
+    let approach = Approach::of(statements, symbols, by, to)?;
+    let mut needed = Vec::new();
+    let mut written = Vec::new();
+    let mut keep = |germs: Germs| {
+        needed.extend(germs.needed);
+        for tree in germs.written {
+            if !written.contains(&tree) {
+                written.push(tree);
+            }
         }
-        if !is_zero(&term) {
-            needed.push(Equation::between(term, integer(0)));
-        }
+    };
+    let mut sides = approach.sides().into_iter();
+    let first = sides.next().ok_or("no side")?;
+    let first = approach.one_sided(&of, &first)?;
+    let is_same = !first.germs.is_one_sided && matches!(first.end, Some(End::Finite(_)));
+    let mut end = first.end;
+    keep(first.germs);
+    if let Some(second) = sides.next().filter(|_| !is_same) {
+        let mut second = approach.one_sided(&of, &second)?;
+        end = match (end, second.end) {
+            (Some(End::Finite(above)), Some(End::Finite(below))) => {
+                let difference = add(vec![(*above).clone(), negative(*below)]);
+                let is_equal = second.germs.is_likely_zero(&difference);
+                let relates = if is_equal { Relation::Equal } else { Relation::NotEqual };
+                second.germs.need(relation(difference, relates));
+                is_equal.then_some(End::Finite(above))
+            }
+            (above, below) => above.filter(|above| Some(above) == below.as_ref()),
+        };
+        keep(second.germs);
     }
-    let value = series.at(0).ok_or("a series that is not followed far enough")?;
-    Ok((value, needed, written))
+    let lemmas = approach.goals(needed, &written);
+    Ok(Limit { end, lemmas, written })
 }
 
-/// The claim that both sides differ by what is of an order: each coefficient below it vanishes.
+/// Returns the difference of the sides of a claim without its orders, and these orders.
+fn without_orders(claim: &Equation) -> Result<(Tree, Vec<Tree>), String> {
+    let is_order =
+        |node: &Tree| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_)));
+    if claim.relation != Relation::Equal {
+        return Err("an order in an inequality".to_owned());
+    }
+    if any(&claim.left, &mut |node| is_order(node)) {
+        return Err("an order on the left of an equation".to_owned());
+    }
+    let terms = match &claim.right {
+        Tree::Sum(terms) => terms.clone(),
+        side => vec![side.clone()],
+    };
+    let (mut orders, mut rest) = (Vec::new(), Vec::new());
+    for term in terms {
+        let inner = match &term {
+            Tree::Negate(inner) => inner,
+            term => term,
+        };
+        match inner {
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Order(of) => orders.push(of.clone()),
+                _ => rest.push(term.clone()),
+            },
+            _ => rest.push(term.clone()),
+        }
+    }
+    let all = difference(claim.left.clone(), sum(rest));
+    match any(&all, &mut |node| is_order(node)) {
+        true => Err("an order within a product or a function".to_owned()),
+        false => Ok((all, orders)),
+    }
+}
+
+/// Reduces the claim that both sides differ by what is of an order: their difference divided by it stays bounded, so each coefficient
+/// of what grows vanishes.
 fn of_order(
     statements: &Statements,
     symbols: &Symbols,
     claim: &Equation,
     by: &Name,
     to: &Tree,
-) -> Result<(Vec<Equation>, Vec<Equation>), String> {
-    if claim.relation != Relation::Equal {
-        return Err("an order in an inequality".to_owned());
-    }
-    if any(
-        &claim.left,
-        &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_))),
-    ) {
-        return Err("an order on the left of an equation".to_owned());
-    }
-    let mut orders = Vec::new();
-    let mut sides = Vec::new();
-    for side in [&claim.left, &claim.right] {
-        let terms = match side {
-            Tree::Sum(terms) => terms.clone(),
-            side => vec![side.clone()],
-        };
-        let mut rest = Vec::new();
-        for term in terms {
-            let inner = match &term {
-                Tree::Negate(inner) => inner,
-                term => term,
-            };
-            match inner {
-                Tree::Operation(operation, _) => match &**operation {
-                    Operation::Order(of) => orders.push(of.clone()),
-                    _ => rest.push(term.clone()),
-                },
-                _ => rest.push(term.clone()),
-            }
+) -> Result<(Vec<Equation>, Vec<Goal>), String> {
+    let (all, mut orders) = without_orders(claim)?;
+    let meant = |tree: &Tree| rewrite(tree, &|name| symbols.meaning(name, &|_| false));
+    let approach = Approach::of(statements, symbols, by, to)?;
+    let mut order = meant(&orders.pop().ok_or("an order of nothing")?);
+    let (mut claims, mut needed, mut written) = (Vec::new(), Vec::new(), Vec::new());
+    let sides = approach.sides();
+    let first = sides.first().ok_or("no side")?;
+    // the largest of the orders bounds all of them
+    for other in orders.iter().map(meant) {
+        let ratio = quotient(order.clone(), other.clone());
+        let (end, germs) = approach.followed(&ratio, first, &|germs, prepared| germs.limit(prepared))?;
+        needed.extend(germs.needed);
+        if end == End::finite(integer(0)) {
+            order = other;
         }
-        sides.push(sum(rest));
     }
-    let all = difference(sides.remove(0), sides.remove(0));
-    if any(
-        &all,
-        &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_))),
-    ) {
-        return Err("an order within a product or a function".to_owned());
-    }
-    let all = rewrite(&all, &|name| symbols.meaning(name, &|_| false));
-    let mut least: Option<i32> = None;
-    for order in orders {
-        let mut small = small(statements, symbols, by, to, 3)?;
-        let series = small.of(&order)?;
-        let mut powers = series.terms.iter().enumerate().filter(|(_, term)| !is_zero(term));
-        let (Some((place, term)), None) = (powers.next(), powers.next()) else {
-            return Err(format!("the order {order} is no power of {by}"));
-        };
-        if whole(term).is_none() || !small.needed.is_empty() {
-            return Err(format!("the order {order} is no power of {by}"));
-        }
-        let exponent = series.low.saturating_add(i32::try_from(place).unwrap_or(i32::MAX));
-        least = Some(least.map_or(exponent, |known| known.min(exponent)));
-    }
-    let order = least.filter(|order| (1..=i32::try_from(HIGHEST).unwrap_or(20)).contains(order));
-    let order = order.ok_or("an order is a positive power of what tends to 0")?;
-    let length = usize::try_from(order).unwrap_or(0) + BEYOND;
-    let mut small = small(statements, symbols, by, to, length)?;
-    let series = small.of(&all)?;
-    let mut claims = Vec::new();
-    for exponent in series.low..order {
-        let term = series.at(exponent).ok_or("a series that is not followed far enough")?;
-        claims.push(Equation {
+    let ratio = quotient(meant(&all), order);
+    for side in &sides {
+        let (own, germs) = approach.followed(&ratio, side, &|germs, prepared| germs.unbounded(prepared))?;
+        claims.extend(own.into_iter().map(|term| Equation {
             left: term,
             right: integer(0),
             ..claim.clone()
-        });
+        }));
+        needed.extend(germs.needed);
+        written.extend(germs.written);
+        if !germs.is_one_sided {
+            break;
+        }
     }
     if claims.is_empty() {
         claims.push(Equation::between(integer(0), integer(0)));
     }
-    claims.extend(
-        small
-            .written
-            .into_iter()
-            .map(|tree| Equation::between(tree.clone(), tree)),
-    );
-    Ok((claims, small.needed))
+    let lemmas = approach.goals(needed, &written);
+    claims.extend(written.into_iter().map(has_value));
+    Ok((claims, lemmas))
 }

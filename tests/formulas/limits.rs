@@ -1,0 +1,39 @@
+//! Limits and orders: `limits.txt` says which claims are true, and which of them are decided.
+
+use vibro_audit::claim::{Sheet, Verdict};
+use vibro_audit::prove::{Options, decide};
+use vibro_audit::tex::Symbols;
+
+#[test]
+fn limits_and_orders_are_decided_rightly() {
+    let (mut count, mut wrong) = (0, Vec::new());
+    for line in include_str!("../limits.txt").lines() {
+        let Some((kind, claim)) = line.split_once(':').filter(|_| !line.starts_with('#')) else {
+            continue;
+        };
+        let (tex, assume) = claim.split_once("; assume ").unwrap_or((claim, ""));
+        let assume = if assume.is_empty() {
+            String::new()
+        } else {
+            format!("assume = ['''{assume}''']")
+        };
+        let sheet = format!(
+            "[symbols]\nparameters = ['x', 'u', 'a', 'b', 'p']\npositive = ['p']\nintegers = ['m', 'n']\n\
+             [[equation]]\nlabel = 'c'\nrole = 'claim'\ntex = '''{tex}'''\n{assume}"
+        );
+        let sheet = Sheet::read(&sheet, &Symbols::default()).unwrap_or_else(|fault| panic!("{tex}: {fault}"));
+        let decision = decide(&sheet, 0, &Options::default());
+        let wanted = match kind {
+            "true" => Verdict::Proved,
+            "false" => Verdict::Refuted,
+            "open true" | "open false" => Verdict::Undecided,
+            kind => panic!("{kind}"),
+        };
+        count += 1;
+        if decision.verdict != wanted {
+            wrong.push(format!("{line}: {}: {}", decision.verdict, decision.reason));
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(count >= 120, "{count}");
+}
