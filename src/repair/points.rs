@@ -133,9 +133,10 @@ impl Asked<'_> {
         {
             any(side, &mut |node| {
                 if let Tree::Operation(operation, _) = node
-                    && let Operation::Order(of) = &**operation
+                    && let Operation::Order(of, is_little) = &**operation
                 {
                     match of {
+                        _ if *is_little => is_read = false,
                         Tree::Symbol(..) => orders.push((of.clone(), 1)),
                         Tree::Power(base, exponent, _) if matches!(**base, Tree::Symbol(..)) && *exponent > 0 => {
                             orders.push(((**base).clone(), *exponent));

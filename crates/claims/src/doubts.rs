@@ -716,7 +716,7 @@ fn is_multiple(name: &Name, claim: &Entry) -> bool {
 
 /// What tends to a value by what is assumed of a claim that is no expansion.
 fn tends(claim: &Entry) -> Option<Name> {
-    let is_expansion = |equation: &Equation| holds(equation, &|operation| matches!(operation, Operation::Order(_)));
+    let is_expansion = |equation: &Equation| holds(equation, &|operation| matches!(operation, Operation::Order(..)));
     let mut assumed = claim.assume.iter().filter_map(|(condition, _)| approached(condition));
     assumed.next().filter(|_| !claim.equations.iter().any(is_expansion))
 }

@@ -30,13 +30,13 @@ fn approached(statements: &Statements) -> Option<(Name, Tree)> {
 }
 
 /// What the orders of an equation are of.
-fn orders(equation: &Equation) -> Vec<Tree> {
+fn orders(equation: &Equation) -> Vec<(Tree, bool)> {
     let mut found = Vec::new();
     any_side(equation, &mut |node| {
         if let Tree::Operation(operation, _) = node
-            && let Operation::Order(of) = &**operation
+            && let Operation::Order(of, is_little) = &**operation
         {
-            found.push(of.clone());
+            found.push((of.clone(), *is_little));
         }
         false
     });
@@ -114,7 +114,7 @@ impl System {
         let holds_order = |side: &Tree| {
             any(
                 side,
-                &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_))),
+                &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(..))),
             )
         };
         // O(x^2) is O(x), and not the other way round
@@ -175,7 +175,7 @@ impl System {
     fn up_to_orders(
         &mut self,
         equation: &Equation,
-        orders: &[Tree],
+        orders: &[(Tree, bool)],
         statements: &Statements,
         symbols: &Symbols,
         flight: i32,
@@ -190,9 +190,12 @@ impl System {
             _ => None,
         };
         let zero = || Tree::Number(numbers::Field::from_integer(0));
-        let implied = || Some((orders.iter().find_map(letter)?, zero()));
+        let implied = || Some((orders.iter().find_map(|(of, _)| letter(of))?, zero()));
         let (by, to) = approached(statements).or_else(implied).ok_or_else(|| unread.clone())?;
-        let degrees: Option<Vec<u32>> = orders.iter().map(|of| degree(of, &by, &to)).collect();
+        let degrees: Option<Vec<u32>> = orders
+            .iter()
+            .map(|(of, is_little)| Some(degree(of, &by, &to)? + u32::from(*is_little)))
+            .collect();
         let degree = degrees
             .and_then(|all| all.into_iter().min())
             .filter(|least| *least <= HIGHEST);

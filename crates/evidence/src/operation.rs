@@ -103,8 +103,8 @@ impl Compiler<'_> {
                 Ok(self.bind(Binder::Integral, letter, body, low, high))
             }
             Operation::Integral { limits: None, .. } => refused("an antiderivative within a formula"),
-            Operation::Order(_) if self.is_up_to => Ok(self.formulas.integer(0)),
-            Operation::Order(_) | Operation::Approaches(_) | Operation::OneSided(..) | Operation::Infinity => {
+            Operation::Order(..) if self.is_up_to => Ok(self.formulas.integer(0)),
+            Operation::Order(..) | Operation::Approaches(_) | Operation::OneSided(..) | Operation::Infinity => {
                 refused("a limit stands where it is not read")
             }
         }

@@ -306,6 +306,25 @@ mod tests {
     use super::*;
 
     #[test]
+    fn infinity_is_a_side_of_an_equation_beside_a_limit_alone() {
+        for tex in [
+            r"\lim_{a \to 0} a = -\infty",
+            r"b = \lim_{a \to 0} a = {+\infty}",
+            r"a = o(a^2) + O(a^3)",
+        ] {
+            let printed = read(tex, &names()).map(|equations| equations.last().map(ToString::to_string));
+            assert!(printed.is_ok(), "{tex}: {printed:?}");
+        }
+        for tex in [
+            r"a = \infty",
+            r"\lim_{a \to 0} a = 2 \infty",
+            r"\lim_{a \to 0} a = \infty + 1",
+        ] {
+            assert!(read(tex, &names()).is_err(), "{tex}");
+        }
+    }
+
+    #[test]
     fn displays() {
         let count = |tex: &str| read(tex, &names()).map(|equations| equations.len());
         for (tex, wanted) in [

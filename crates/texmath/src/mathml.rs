@@ -535,7 +535,7 @@ impl Writer<'_> {
                 }))
             }
             Operation::Trace(of) => function("tr", of),
-            Operation::Order(of) => function("O", of),
+            Operation::Order(of, is_little) => function(if *is_little { "o" } else { "O" }, of),
             Operation::Transpose(of) => {
                 let base = match of {
                     Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => factor(of),
@@ -785,7 +785,7 @@ mod tests {
                 "<mi>x</mi><mo>,</mo><mi>y</mi>",
             ),
             (Operation::Trace(x()), "<mi>tr</mi>"),
-            (Operation::Order(x()), "<mi>O</mi>"),
+            (Operation::Order(x(), false), "<mi>O</mi>"),
             (Operation::Transpose(x()), "<msup><mi>x</mi><mi>⊤</mi></msup>"),
             (Operation::Cross(x(), x()), "<mo>×</mo>"),
             (Operation::Dot(x(), x()), "<mo>⋅</mo>"),

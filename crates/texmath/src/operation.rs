@@ -373,19 +373,19 @@ impl<'a> Reader<'a> {
         self.sum().map(|tree| *tree)
     }
 
-    /// Whether `O(` stands next, and `O` is no declared letter.
+    /// Returns true if `O(` or `o(` stands next, and the letter is not declared.
     pub(super) fn is_order(&self, token: Token<'a>) -> bool {
-        token.text == "O"
-            && !self.names.letters.iter().any(|letter| letter == "O")
+        ["O", "o"].contains(&token.text)
+            && !self.names.letters.iter().any(|letter| letter == token.text)
             && self.look(1).is_some_and(|next| next.kind == Kind::Open(Bracket::Round))
     }
 
-    /// `O(x^2)`.
+    /// `O(x^2)`, `o(x)`.
     pub(super) fn order_of(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
         let of = *self.bracketed()?;
         Ok(Part {
-            tree: boxed(Operation::Order(of), token.at),
+            tree: boxed(Operation::Order(of, token.text == "o"), token.at),
             form: Form::Plain,
         })
     }

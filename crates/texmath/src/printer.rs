@@ -243,7 +243,8 @@ fn operation(operation: &Operation) -> String {
             format!("{sign}_{{{index} = {}}}^{{{}}} {of}", sum(from), sum(to))
         }
         Operation::Limit { of, by, to } => format!("\\lim_{{{by} \\to {}}} {}", sum(to), term(of)),
-        Operation::Order(of) => format!("O({})", sum(of)),
+        Operation::Order(of, false) => format!("O({})", sum(of)),
+        Operation::Order(of, true) => format!("o({})", sum(of)),
         Operation::Approaches(to) => format!("\\to {}", sum(to)),
         Operation::OneSided(to, true) => format!("{}^+", factor(to)),
         Operation::OneSided(to, false) => format!("{}^-", factor(to)),

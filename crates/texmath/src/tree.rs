@@ -167,8 +167,8 @@ pub enum Operation {
         by: Name,
         to: Tree,
     },
-    /// `O(x^2)`.
-    Order(Tree),
+    /// `O(x^2)`, and `o(x^2)` if true.
+    Order(Tree, bool),
     /// What the left side of a condition `x \to 0` tends to.
     Approaches(Tree),
     /// `0^+`, from above, or `0^-`.
@@ -302,7 +302,7 @@ impl Operation {
             Self::Determinant(of)
             | Self::Trace(of)
             | Self::Transpose(of)
-            | Self::Order(of)
+            | Self::Order(of, _)
             | Self::Approaches(of)
             | Self::OneSided(of, _) => vec![free(of)],
             Self::Infinity => Vec::new(),
@@ -334,7 +334,7 @@ impl Operation {
             Self::Determinant(of) => Self::Determinant(new(of, false)),
             Self::Trace(of) => Self::Trace(new(of, false)),
             Self::Transpose(of) => Self::Transpose(new(of, false)),
-            Self::Order(of) => Self::Order(new(of, false)),
+            Self::Order(of, is_little) => Self::Order(new(of, false), *is_little),
             Self::Approaches(of) => Self::Approaches(new(of, false)),
             Self::OneSided(of, is_above) => Self::OneSided(new(of, false), *is_above),
             Self::Infinity => Self::Infinity,

@@ -405,7 +405,7 @@ fn is_antiderivative(node: &Tree) -> bool {
 }
 
 fn is_order(node: &Tree) -> bool {
-    matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_)))
+    matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(..)))
 }
 
 fn binds(node: &Tree) -> bool {

@@ -334,7 +334,7 @@ impl<'a> Over<'a> {
             Operation::Integral { .. } => return Err("an integral".to_owned()),
             Operation::Root { .. } => return Err("a root whose index is a symbol".to_owned()),
             Operation::Limit { .. }
-            | Operation::Order(_)
+            | Operation::Order(..)
             | Operation::Approaches(_)
             | Operation::OneSided(..)
             | Operation::Infinity => return Err("a limit stands where it is not read".to_owned()),

@@ -49,6 +49,14 @@ struct Scale {
     members: Vec<(Tree, Tree, Tree)>,
 }
 
+/// A letter between -1 and 1 for a function that oscillates.
+pub(super) struct Wave {
+    pub of: Tree,
+    pub name: Name,
+    /// Conditions under which it takes both of these values again and again, if any are known.
+    pub full: Option<Vec<Equation>>,
+}
+
 /// Functions of a letter that grows without bound.
 pub(super) struct Germs<'a> {
     pub symbols: &'a Symbols,
@@ -57,8 +65,8 @@ pub(super) struct Germs<'a> {
     pub letter: Name,
     /// The letter that tends to something, which is this one where that is infinity.
     pub by: Name,
-    /// A name for what oscillates, without its number.
-    pub like: Name,
+    /// Names for functions that oscillate.
+    pub names: Vec<Name>,
     /// True if the letter takes integers alone.
     pub is_integer: bool,
     /// Numbers for all other letters.
@@ -69,8 +77,7 @@ pub(super) struct Germs<'a> {
     pub needed: Vec<Equation>,
     /// Trees that do not move and must have a value, also where they meet a 0.
     pub written: Vec<Tree>,
-    /// Letters between -1 and 1 for functions that oscillate, each true if it takes both of these values again and again.
-    pub waves: Vec<(Tree, Name, bool)>,
+    pub waves: Vec<Wave>,
     /// True if the result may be another one where the small quantity is negative.
     pub is_one_sided: bool,
     pub limits: HashMap<Tree, Found<End>>,
@@ -87,6 +94,10 @@ impl Germs<'_> {
 
     pub fn moves(&self, tree: &Tree) -> bool {
         mentions(tree, &self.letter)
+    }
+
+    pub fn oscillates(&self, tree: &Tree) -> bool {
+        self.waves.iter().any(|wave| mentions(tree, &wave.name))
     }
 
     fn step(&mut self, tree: &Tree) -> Found<()> {
@@ -215,14 +226,14 @@ impl Germs<'_> {
         }
     }
 
-    /// Returns what must be 0 for a prepared tree to stay bounded: 1 where it does not.
-    pub fn unbounded(&mut self, tree: &Tree) -> Found<Vec<Tree>> {
+    /// Returns what must be 0 for a prepared tree to stay bounded, or to vanish: 1 where it does not.
+    pub fn unbounded(&mut self, tree: &Tree, must_vanish: bool) -> Found<Vec<Tree>> {
         let (series, _) = self.expanded(tree)?;
         let mut found = Vec::new();
         for (exponent, coefficient) in &series.terms {
             match self.side(exponent)? {
                 Ordering::Greater => return Ok(found),
-                Ordering::Less if self.waves.iter().any(|(_, name, _)| mentions(coefficient, name)) => {
+                Ordering::Less if self.oscillates(coefficient) => {
                     return Err("what oscillates has an effect on the order".to_owned());
                 }
                 Ordering::Less if !self.moves(coefficient) => found.push(coefficient.clone()),
@@ -234,8 +245,12 @@ impl Germs<'_> {
                     found.push(integer(1));
                 }
                 Ordering::Equal => {
-                    if let End::Infinite(_) = self.limit(coefficient)? {
-                        found.push(integer(1));
+                    match self.limit(coefficient)? {
+                        End::Infinite(_) => found.push(integer(1)),
+                        End::Finite(value) if must_vanish && self.oscillates(&value) => {
+                            return Err("what oscillates has an effect on the order".to_owned());
+                        }
+                        End::Finite(value) => found.extend(must_vanish.then_some(*value)),
                     }
                     return Ok(found);
                 }
@@ -739,7 +754,7 @@ mod tests {
         };
         let of = read_expression(tex, &names).map_err(|fault| fault.to_string())?;
         let infinity = Tree::Operation(Box::new(Operation::Infinity), At::default());
-        let found = of_limit(&Statements::default(), &symbols, &of, &plain("x"), &infinity)?;
+        let found = of_limit(&Statements::default(), &symbols, &of, &plain("x"), &infinity, &[])?;
         Ok((found.end, found.lemmas.len()))
     }
 

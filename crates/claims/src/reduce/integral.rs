@@ -569,12 +569,13 @@ impl Definite<'_> {
             }));
         }
         let mut ends = Vec::new();
+        let likely: Vec<Equation> = self.convergence().into_iter().collect();
         for limit in self.limits {
             ends.push(match infinity(limit) {
                 None => rewrite(&whole, &|name| (name == self.letter).then(|| limit.clone())),
                 Some(_) => {
                     // what does not move in the antiderivative has a value, by the lemmas
-                    let found = of_limit(self.statements, self.symbols, &whole, self.letter, limit)?;
+                    let found = of_limit(self.statements, self.symbols, &whole, self.letter, limit, &likely)?;
                     lemmas.extend(found.lemmas);
                     match found.end {
                         Some(End::Finite(value)) => *value,
@@ -588,7 +589,7 @@ impl Definite<'_> {
         Ok(Some(Value {
             tree: difference(high, low),
             lemmas,
-            converging: self.convergence().into_iter().collect(),
+            converging: likely,
         }))
     }
 

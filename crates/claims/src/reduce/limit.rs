@@ -4,10 +4,10 @@ use super::super::premise::Statements;
 use super::build::{difference, infinity, integer, is_zero, negative, plain, quotient, sum, symbol};
 use super::defined;
 use super::derivative::mentions;
-use super::germ::{End, Germs, SHORT};
+use super::germ::{End, Germs, SHORT, Wave};
 use super::prepared::with_factorials;
 use super::series::{add, point_of, relation};
-use super::{Goal, Rule, fresh, integers, is_spoken_of, rewritten, trees};
+use super::{Goal, Rule, fresh, fresh_like, integers, is_spoken_of, rewritten, trees};
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
     Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, mapped, names_in, rewrite,
@@ -21,7 +21,7 @@ pub(super) fn stands_in(statements: &Statements) -> bool {
     trees(statements).into_iter().any(|tree| {
         any(tree, &mut |node| {
             matches!(node, Tree::Operation(operation, _)
-                if matches!(**operation, Operation::Limit { .. } | Operation::Order(_) | Operation::Approaches(_)))
+                if matches!(**operation, Operation::Limit { .. } | Operation::Order(..) | Operation::Approaches(_)))
         })
     })
 }
@@ -36,7 +36,7 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
         let Operation::Limit { of, by, to } = &limit else {
             break;
         };
-        let found = of_limit(&out, symbols, of, by, to)?;
+        let found = of_limit(&out, symbols, of, by, to, &[])?;
         out.claims.extend(
             found
                 .written
@@ -61,7 +61,7 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
             claims.extend(own);
             continue;
         }
-        if !holds(&claim, &|operation| matches!(operation, Operation::Order(_))) {
+        if !holds(&claim, &|operation| matches!(operation, Operation::Order(..))) {
             claims.push(claim);
             continue;
         }
@@ -159,7 +159,7 @@ fn implied(claim: &Equation, symbols: &Symbols) -> Option<(Name, Tree)> {
     };
     let order = |term: &Tree| match term {
         Tree::Operation(operation, _) => match &**operation {
-            Operation::Order(of) => Some(of.clone()),
+            Operation::Order(of, _) => Some(of.clone()),
             _ => None,
         },
         _ => None,
@@ -257,8 +257,11 @@ struct Approach<'a> {
     symbols: Symbols,
     by: &'a Name,
     letter: Name,
-    like: Name,
+    /// Names for functions that oscillate.
+    waves: Vec<Name>,
     to: &'a Tree,
+    /// Conditions that are likely to hold, of which nothing is known.
+    likely: &'a [Equation],
 }
 
 impl<'a> Approach<'a> {
@@ -277,21 +280,24 @@ impl<'a> Approach<'a> {
         let mut symbols = symbols.clone();
         let letter = fresh(statements, &symbols, "x");
         symbols.let_be_parameter(&letter, true);
-        let like = fresh(statements, &symbols, "y");
+        let mut waves = Vec::new();
         for place in 1..=MOST_WAVES {
-            let wave = Name {
+            let like = Name {
                 subscript: place.to_string(),
-                ..like.clone()
+                ..plain("y")
             };
+            let wave = fresh_like(statements, &symbols, like);
             symbols.let_be_parameter(&wave, false);
+            waves.push(wave);
         }
         let own = Self {
             statements,
             symbols,
             by,
             letter,
-            like,
+            waves,
             to,
+            likely: &[],
         };
         match own.is_integer() && infinity(to).is_none() {
             true => Err(format!("`{by}` is an integer and tends to a number")),
@@ -357,13 +363,13 @@ impl<'a> Approach<'a> {
             Condition::Integer(_) => None,
         });
         let domain = self.domain(&[]);
-        let conditions: Vec<&Equation> = conditions.chain(&domain).collect();
+        let conditions: Vec<&Equation> = conditions.chain(&domain).chain(self.likely).collect();
         Germs {
             symbols: &self.symbols,
             given: functions.filter(|name| spoken(name)).cloned().collect(),
             letter: self.letter.clone(),
             by: self.by.clone(),
-            like: self.like.clone(),
+            names: self.waves.clone(),
             is_integer: self.is_integer(),
             point: point_of(&names.into_iter().collect::<Vec<Name>>(), &conditions, &self.symbols),
             length,
@@ -405,8 +411,7 @@ impl<'a> Approach<'a> {
             let mut germs = self.germs(&of, length);
             let found = germs.prepared(&of).and_then(|prepared| work(&mut germs, &prepared));
             match found {
-                Ok(found) if germs.waves.len() <= MOST_WAVES => return Ok((found, germs)),
-                Ok(_) => return Err("so many functions that oscillate".to_owned()),
+                Ok(found) => return Ok((found, germs)),
                 Err(short) if short == SHORT => reason = short,
                 Err(reason) => return Err(reason),
             }
@@ -417,16 +422,23 @@ impl<'a> Approach<'a> {
     /// Returns the limit towards one side; none where what oscillates has an effect.
     fn one_sided(&'a self, of: &Tree, side: &Tree) -> Result<Side<'a>, String> {
         let (end, mut germs) = self.followed(of, side, &|germs, prepared| germs.limit(prepared))?;
-        let waves: Vec<Name> = germs.waves.iter().map(|(_, name, _)| name.clone()).collect();
-        let moves = |tree: &Tree| waves.iter().any(|name| mentions(tree, name));
         let end = match end {
-            End::Finite(value) if moves(&value) => {
-                let [(_, name, true)] = germs.waves.as_slice() else {
+            End::Finite(value) if germs.oscillates(&value) => {
+                let waves = std::mem::take(&mut germs.waves);
+                let [
+                    Wave {
+                        name,
+                        full: Some(needed),
+                        ..
+                    },
+                ] = waves.as_slice()
+                else {
                     return Err("what oscillates has an effect on the limit".to_owned());
                 };
                 let at = |place: i64| rewrite(&value, &|other| (other == name).then(|| integer(place)));
                 let difference = add(vec![at(1), negative(at(-1))]);
                 germs.need(relation(difference, Relation::NotEqual));
+                needed.iter().for_each(|condition| germs.need(condition.clone()));
                 None
             }
             end => Some(end),
@@ -444,10 +456,10 @@ impl<'a> Approach<'a> {
             if *name == self.letter {
                 return Some(relation(difference(tree, integer(1)), Relation::Greater));
             }
-            let is_wave =
-                name.base == self.like.base && name.primes == self.like.primes && name.accents == self.like.accents;
             let square = difference(super::build::power(tree, 2), integer(1));
-            (is_wave && !name.subscript.is_empty()).then(|| relation(square, Relation::LessOrEqual))
+            self.waves
+                .contains(name)
+                .then(|| relation(square, Relation::LessOrEqual))
         };
         let goal = |condition: Equation| {
             let mut alone = base.clone();
@@ -471,13 +483,14 @@ impl<'a> Approach<'a> {
 /// The most functions in a limit that oscillate.
 const MOST_WAVES: usize = 4;
 
-/// Returns the limit of a tree.
+/// Returns the limit of a tree, where conditions hold that are likely.
 pub(super) fn of_limit(
     statements: &Statements,
     symbols: &Symbols,
     of: &Tree,
     by: &Name,
     to: &Tree,
+    likely: &[Equation],
 ) -> Result<Limit, String> {
     let of = rewrite(of, &|name| symbols.meaning(name, &|_| false));
     let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
@@ -491,7 +504,10 @@ pub(super) fn of_limit(
     if let Some(name) = moves {
         return Err(format!("`{name}` may move with `{by}`"));
     }
-    let approach = Approach::of(statements, symbols, by, to)?;
+    let approach = Approach {
+        likely,
+        ..Approach::of(statements, symbols, by, to)?
+    };
     let mut needed = Vec::new();
     let mut written = Vec::new();
     let mut keep = |germs: Germs| {
@@ -527,9 +543,9 @@ pub(super) fn of_limit(
 }
 
 /// Returns the difference of the sides of a claim without its orders, and these orders.
-fn without_orders(claim: &Equation) -> Result<(Tree, Vec<Tree>), String> {
+fn without_orders(claim: &Equation) -> Result<(Tree, Vec<(Tree, bool)>), String> {
     let is_order =
-        |node: &Tree| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_)));
+        |node: &Tree| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(..)));
     if claim.relation != Relation::Equal {
         return Err("an order in an inequality".to_owned());
     }
@@ -548,7 +564,7 @@ fn without_orders(claim: &Equation) -> Result<(Tree, Vec<Tree>), String> {
         };
         match inner {
             Tree::Operation(operation, _) => match &**operation {
-                Operation::Order(of) => orders.push(of.clone()),
+                Operation::Order(of, is_little) => orders.push((of.clone(), *is_little)),
                 _ => rest.push(term.clone()),
             },
             _ => rest.push(term.clone()),
@@ -570,25 +586,35 @@ fn of_order(
     by: &Name,
     to: &Tree,
 ) -> Result<(Vec<Equation>, Vec<Goal>), String> {
-    let (all, mut orders) = without_orders(claim)?;
+    let (all, orders) = without_orders(claim)?;
+    let is_single = orders.len() == 1;
     let meant = |tree: &Tree| rewrite(tree, &|name| symbols.meaning(name, &|_| false));
     let approach = Approach::of(statements, symbols, by, to)?;
-    let mut order = meant(&orders.pop().ok_or("an order of nothing")?);
     let (mut claims, mut needed, mut written) = (Vec::new(), Vec::new(), Vec::new());
-    let sides = approach.sides();
-    let first = sides.first().ok_or("no side")?;
-    // the largest of the orders bounds all of them
-    for other in orders.iter().map(meant) {
-        let ratio = quotient(order.clone(), other.clone());
-        let (end, germs) = approach.followed(&ratio, first, &|germs, prepared| germs.limit(prepared))?;
-        needed.extend(germs.needed);
-        if end == End::finite(integer(0)) {
-            order = other;
+    for side in &approach.sides() {
+        let mut orders = orders.iter().map(|(order, is_little)| (meant(order), *is_little));
+        let (mut order, mut is_little) = orders.next().ok_or("an order of nothing")?;
+        // the largest of the orders bounds all of them
+        for (other, is_other_little) in orders {
+            let ratio = quotient(order.clone(), other.clone());
+            let compare = |germs: &mut Germs, prepared: &Tree| {
+                let end = germs.limit(prepared)?;
+                match &end {
+                    End::Finite(ratio) if germs.oscillates(ratio) => Err("orders that oscillate".to_owned()),
+                    End::Finite(ratio) if !is_zero(ratio) => germs.nonzero(ratio).map(|()| end),
+                    _ => Ok(end),
+                }
+            };
+            let (end, germs) = approach.followed(&ratio, side, &compare)?;
+            needed.extend(germs.needed);
+            match end {
+                End::Finite(ratio) if is_zero(&ratio) => (order, is_little) = (other, is_other_little),
+                End::Finite(_) => is_little &= is_other_little,
+                End::Infinite(_) => {}
+            }
         }
-    }
-    let ratio = quotient(meant(&all), order);
-    for side in &sides {
-        let (own, germs) = approach.followed(&ratio, side, &|germs, prepared| germs.unbounded(prepared))?;
+        let ratio = quotient(meant(&all), order);
+        let (own, germs) = approach.followed(&ratio, side, &|germs, prepared| germs.unbounded(prepared, is_little))?;
         claims.extend(own.into_iter().map(|term| Equation {
             left: term,
             right: integer(0),
@@ -596,7 +622,7 @@ fn of_order(
         }));
         needed.extend(germs.needed);
         written.extend(germs.written);
-        if !germs.is_one_sided {
+        if !germs.is_one_sided && is_single {
             break;
         }
     }

@@ -3,9 +3,9 @@
 use super::build::{call, difference, integer, negative, plain, power, product, quotient, real_power, sum, symbol};
 use super::evaluate::{at_index, may_be_undefined};
 use super::factorial;
-use super::germ::{End, Germs};
+use super::germ::{End, Germs, Wave};
 use super::series::{is_one, ratio, tidy};
-use texmath::{At, Elementary, Name, Operation, Series, Tree, any, mapped, rewrite};
+use texmath::{At, Elementary, Equation, Name, Operation, Series, Tree, any, mapped, rewrite};
 
 type Found = Result<Tree, String>;
 
@@ -105,8 +105,8 @@ impl Germs<'_> {
         // (-1)^n is 1 and -1 again and again
         match is_whole && !self.moves(&base) {
             true => {
-                let is_full = exponent == symbol(&self.letter);
-                let wave = self.wave(real_power(integer(-1), exponent.clone()), is_full);
+                let full = (exponent == symbol(&self.letter)).then(Vec::new);
+                let wave = self.wave(real_power(integer(-1), exponent.clone()), full)?;
                 let base = negative(base);
                 Ok(if is_one(&base) {
                     wave
@@ -119,23 +119,21 @@ impl Germs<'_> {
     }
 
     /// Returns a letter between -1 and 1 for what oscillates.
-    fn wave(&mut self, of: Tree, is_full: bool) -> Tree {
+    fn wave(&mut self, of: Tree, full: Option<Vec<Equation>>) -> Found {
         self.is_one_sided = true;
+        if let Some(known) = self.waves.iter().find(|known| known.of == of) {
+            return Ok(symbol(&known.name));
+        }
         let place = self.waves.len();
-        let known = self.waves.iter().find(|(known, ..)| *known == of);
-        let name = match known {
-            Some((_, name, _)) => name.clone(),
-            None => {
-                let name = Name {
-                    subscript: (place + 1).to_string(),
-                    ..self.like.clone()
-                };
-                self.point.insert(name.clone(), 0.73 - 0.19 * place as f64);
-                self.waves.push((of, name.clone(), is_full));
-                name
-            }
-        };
-        symbol(&name)
+        let name = self
+            .names
+            .get(place)
+            .cloned()
+            .ok_or("so many functions that oscillate")?;
+        self.point.insert(name.clone(), 0.73 - 0.19 * place as f64);
+        let letter = symbol(&name);
+        self.waves.push(Wave { of, name, full });
+        Ok(letter)
     }
 
     fn prepared_call(&mut self, name: &Name, argument: &Tree) -> Found {
@@ -166,11 +164,15 @@ impl Germs<'_> {
             "\\arcosh" | "\\artanh" => return self.defined(function, argument),
             _ => {}
         }
-        match (self.limit(&inner)?, name.base.as_str()) {
-            (End::Infinite(_), "\\sin" | "\\cos") => {
-                let is_full = !self.is_integer;
-                Ok(self.wave(call(&name.base, inner), is_full))
-            }
+        let (known, end) = (self.needed.len(), self.limit(&inner));
+        // bounded, whatever the limit
+        if ["\\sin", "\\cos"].contains(&name.base.as_str()) && !matches!(end, Ok(End::Finite(_))) {
+            let needed = self.needed.split_off(known);
+            self.limits.clear();
+            let full = (end.is_ok() && !self.is_integer).then_some(needed);
+            return self.wave(call(&name.base, inner), full);
+        }
+        match (end?, name.base.as_str()) {
             (End::Infinite(is_positive), "\\arctan") => {
                 self.is_one_sided = true;
                 // for u > 0 it is a quarter turn less that of 1/u

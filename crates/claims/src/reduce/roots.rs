@@ -6,7 +6,7 @@ use super::build::{integer, quotient, real_power};
 use super::derivative::mentions;
 use super::{Goal, Rule, rewritten, trees};
 use numbers::{Field, Rational};
-use texmath::{Condition, Equation, Operation, Relation, Symbols, Tree, any, mapped};
+use texmath::{Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, mapped};
 
 fn parts(node: &Tree) -> Option<(&Tree, &Tree)> {
     match node {
@@ -45,32 +45,43 @@ fn as_power(tree: &Tree, symbols: &Symbols) -> Tree {
     })
 }
 
+/// Collects what stands under such roots, but for what a limit moves: that it is positive is shown there. Tells if a sum or an
+/// integral moves any.
+fn collect(tree: &Tree, moving: &[&Name], radicands: &mut Vec<Tree>, is_bound: &mut bool) {
+    if let Some((of, _)) = parts(tree)
+        && !moving.iter().any(|letter| mentions(of, letter))
+        && !radicands.contains(of)
+    {
+        radicands.push(of.clone());
+    }
+    let Tree::Operation(operation, _) = tree else {
+        tree.find_below(&mut |part| {
+            collect(part, moving, radicands, is_bound);
+            None::<()>
+        });
+        return;
+    };
+    let is_limit = matches!(**operation, Operation::Limit { .. });
+    for (part, is_within) in operation.parts() {
+        let letter = operation.letter().filter(|_| is_within);
+        let moves = |node: &Tree| parts(node).is_some_and(|(of, _)| letter.is_some_and(|own| mentions(of, own)));
+        *is_bound |= !is_limit && any(part, &mut |node| moves(node));
+        let own: Vec<&Name> = moving.iter().copied().chain(letter).collect();
+        collect(part, &own, radicands, is_bound);
+    }
+}
+
 /// The statements with such roots as powers, and what must hold for these to be the same.
 ///
 /// # Errors
-/// The root of what a sum, an integral or a limit moves.
+/// The root of what a sum or an integral moves.
 pub(super) fn as_powers(statements: &Statements, symbols: &Symbols) -> Result<(Statements, Vec<Goal>), String> {
-    let mut radicands: Vec<Tree> = Vec::new();
-    let mut is_bound = false;
+    let (mut radicands, mut is_bound) = (Vec::new(), false);
     for tree in trees(statements) {
-        any(tree, &mut |node| {
-            if let Some((of, _)) = parts(node)
-                && !radicands.contains(of)
-            {
-                radicands.push(of.clone());
-            }
-            if let Tree::Operation(operation, _) = node
-                && let Some(letter) = operation.letter()
-            {
-                let moves = |node: &Tree| parts(node).is_some_and(|(of, _)| mentions(of, letter));
-                let mut bound = operation.parts().into_iter().filter(|(_, is_bound)| *is_bound);
-                is_bound |= bound.any(|(part, _)| any(part, &mut |node| moves(node)));
-            }
-            false
-        });
+        collect(tree, &[], &mut radicands, &mut is_bound);
     }
     if is_bound {
-        return Err("a root with a symbolic index of what a sum, an integral or a limit moves".to_owned());
+        return Err("a root with a symbolic index of what a sum or an integral moves".to_owned());
     }
     let powers = rewritten(statements, Rule::RootPower, &|tree| as_power(tree, symbols));
     // what holds a root says that there is one, which is to be shown without it

@@ -98,7 +98,7 @@ impl Rule {
             | Operation::Root { .. }
             | Operation::Integral { .. }
             | Operation::Limit { .. }
-            | Operation::Order(_)
+            | Operation::Order(..)
             | Operation::Approaches(_)
             | Operation::OneSided(..)
             | Operation::Infinity

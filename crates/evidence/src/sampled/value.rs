@@ -199,7 +199,7 @@ impl Op {
                 Operation::Dot(..) => Self::Dot,
                 Operation::Binomial(..) => Self::Binomial,
                 Operation::Root { .. } => Self::IndexedRoot,
-                Operation::Order(_) => Self::Order,
+                Operation::Order(..) => Self::Order,
                 _ => return None,
             },
             _ => return None,
