@@ -11,12 +11,10 @@ fn limits_and_orders_are_decided_rightly() {
         let Some((kind, claim)) = line.split_once(':').filter(|_| !line.starts_with('#')) else {
             continue;
         };
-        let (tex, assume) = claim.split_once("; assume ").unwrap_or((claim, ""));
-        let assume = if assume.is_empty() {
-            String::new()
-        } else {
-            format!("assume = ['''{assume}''']")
-        };
+        let mut parts = claim.split("; assume ").map(str::trim);
+        let tex = parts.next().unwrap();
+        let assume: Vec<String> = parts.map(|condition| format!("'''{condition}'''")).collect();
+        let assume = format!("assume = [{}]", assume.join(", "));
         let sheet = format!(
             "[symbols]\nparameters = ['x', 'u', 'a', 'b', 'p', 'q']\npositive = ['p']\nintegers = ['m', 'n']\n\
              [[equation]]\nlabel = 'c'\nrole = 'claim'\ntex = '''{tex}'''\n{assume}"

@@ -10,7 +10,8 @@ use super::series::{add, point_of, relation};
 use super::{Goal, Rule, fresh, fresh_like, integers, is_spoken_of, rewritten, trees};
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
-    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, mapped, names_in, rewrite,
+    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, mapped, names_in, number_of,
+    rewrite,
 };
 
 /// The numbers of terms of series that are tried, each where fewer do not tell.
@@ -310,7 +311,8 @@ impl<'a> Approach<'a> {
     }
 
     /// Returns the letter by one that grows without bound: from above and from below, where it tends to a number.
-    fn sides(&self) -> Vec<Tree> {
+    /// Sides that the conditions on the letter exclude are left out; true if it is not known which.
+    fn sides(&self, conditions: &[Equation]) -> (Vec<Tree>, bool) {
         let (to, side) = match self.to {
             Tree::Operation(operation, _) => match &**operation {
                 Operation::OneSided(to, is_above) => (to, Some(*is_above)),
@@ -320,7 +322,7 @@ impl<'a> Approach<'a> {
         };
         let large = symbol(&self.letter);
         if let Some(is_above) = infinity(to) {
-            return vec![if is_above { large } else { negative(large) }];
+            return (vec![if is_above { large } else { negative(large) }], false);
         }
         let small = quotient(integer(1), large);
         let at = |small: Tree| {
@@ -331,18 +333,63 @@ impl<'a> Approach<'a> {
             }
         };
         let (above, below) = (at(small.clone()), at(negative(small)));
-        match side {
-            Some(true) => vec![above],
-            Some(false) => vec![below],
-            None => vec![above, below],
+        let kept: Vec<Option<Option<bool>>> = match side {
+            Some(is_above) => vec![Some(Some(is_above))],
+            None => conditions.iter().map(|own| self.side_kept(own, to)).collect(),
+        };
+        let is_kept = |is_above: bool| !kept.contains(&Some(Some(!is_above)));
+        let sides = [(above, true), (below, false)].into_iter();
+        let sides = sides.filter(|(_, is_above)| is_kept(*is_above)).map(|(tree, _)| tree);
+        (sides.collect(), kept.contains(&None))
+    }
+
+    /// Returns the side of a number on which a condition keeps the letter, true for above, `Some(None)` for both where it holds
+    /// on both; `None` if that is not known.
+    fn side_kept(&self, condition: &Equation, to: &Tree) -> Option<Option<bool>> {
+        let is_own = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == self.by);
+        let is_left = is_own(&condition.left);
+        let bound = match is_left {
+            true => &condition.right,
+            false if is_own(&condition.right) => &condition.left,
+            false => return None,
+        };
+        let is_above = match condition.relation {
+            Relation::Greater | Relation::GreaterOrEqual => is_left,
+            Relation::Less | Relation::LessOrEqual => !is_left,
+            Relation::NotEqual => return Some(None),
+            Relation::Equal => return None,
+        };
+        match (number_of(bound), number_of(to)) {
+            _ if bound == to => Some(Some(is_above)),
+            (Some(bound), Some(at)) if bound != at && (at > bound) == is_above => Some(None),
+            _ => None,
         }
+    }
+
+    /// Returns the conditions on the letter that are declared, and those that are assumed.
+    fn conditions(&self) -> [Vec<Equation>; 2] {
+        let mut declared = Vec::new();
+        let own = || symbol(self.by);
+        if self.symbols.is_positive(self.by) || self.symbols.is_nonnegative(self.by) {
+            declared.push(relation(own(), Relation::GreaterOrEqual));
+        }
+        if self.symbols.is_at_most_one(self.by) {
+            declared.push(relation(difference(own(), integer(1)), Relation::LessOrEqual));
+        }
+        let assumed = self.statements.assume.iter().filter_map(|condition| match condition {
+            Condition::Relation(relation) => Some(relation.clone()),
+            Condition::Integer(_) => None,
+        });
+        let speaks = |own: &Equation| mentions(&own.left, self.by) || mentions(&own.right, self.by);
+        [declared, assumed.filter(speaks).collect()]
     }
 
     fn germs(&self, of: &Tree, length: usize) -> Germs<'_> {
         let statements = self.statements;
         let spoken = |name: &Name| {
-            let premises = statements.premises.iter();
-            let mut sides = premises.flat_map(|premise| [&premise.equation.left, &premise.equation.right]);
+            let premises = statements.premises.iter().map(|premise| &premise.equation);
+            let equations = premises.chain(&self.symbols.relations);
+            let mut sides = equations.flat_map(|equation| [&equation.left, &equation.right]);
             sides.any(|side| {
                 any(
                     side,
@@ -518,10 +565,16 @@ pub(super) fn of_limit(
             }
         }
     };
-    let mut sides = approach.sides().into_iter();
+    let [declared, assumed] = approach.conditions();
+    let (sides, mut is_open) = approach.sides(&declared);
+    is_open |= sides.len() > 1 && !assumed.is_empty();
+    let mut sides = sides.into_iter();
     let first = sides.next().ok_or("no side")?;
     let first = approach.one_sided(&of, &first)?;
     let is_same = !first.germs.is_one_sided && matches!(first.end, Some(End::Finite(_)));
+    if is_open && !is_same {
+        return Err(format!("from which side `{by}` comes is not known"));
+    }
     let mut end = first.end;
     keep(first.germs);
     if let Some(second) = sides.next().filter(|_| !is_same) {
@@ -591,7 +644,8 @@ fn of_order(
     let meant = |tree: &Tree| rewrite(tree, &|name| symbols.meaning(name, &|_| false));
     let approach = Approach::of(statements, symbols, by, to)?;
     let (mut claims, mut needed, mut written) = (Vec::new(), Vec::new(), Vec::new());
-    for side in &approach.sides() {
+    let (sides, is_open) = approach.sides(&approach.conditions().concat());
+    for side in &sides {
         let mut orders = orders.iter().map(|(order, is_little)| (meant(order), *is_little));
         let (mut order, mut is_little) = orders.next().ok_or("an order of nothing")?;
         // the largest of the orders bounds all of them
@@ -624,6 +678,9 @@ fn of_order(
         written.extend(germs.written);
         if !germs.is_one_sided && is_single {
             break;
+        }
+        if is_open {
+            return Err(format!("from which side `{by}` comes is not known"));
         }
     }
     if claims.is_empty() {
