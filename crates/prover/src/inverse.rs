@@ -33,30 +33,55 @@ pub fn describe(session: &mut Session, met: &BTreeSet<Term>) {
     }
 }
 
-/// The sign of a sine or cosine whose argument is in the range where it is not negative.
+/// The half turns that are added to an argument to find the range that it lies in.
+const HALF_TURNS: [i64; 5] = [0, -1, 1, -2, 2];
+
+/// The sign of a sine or cosine whose argument is in a range where it has one.
 fn sign_of_sine(session: &mut Session, function: Elementary, of: Term) -> Option<()> {
     if !session.described.insert((function, of)) {
         return None;
     }
-    if function == Elementary::Sin {
-        session.show_sine_sign(of)?;
-        return Some(());
-    }
+    HALF_TURNS
+        .into_iter()
+        .find_map(|turns| sign_after_half_turns(session, function, of, turns))
+}
+
+/// The sign by `\sin x = (-1)^k \sin(x + k \pi)` and `\cos x = (-1)^k \sin(\pi/2 - x + k \pi)`, where this argument is between 0
+/// and pi.
+fn sign_after_half_turns(session: &mut Session, function: Elementary, of: Term, turns: i64) -> Option<()> {
     let (pi, two) = (session.terms().add(Node::Pi), session.terms().integer(2));
-    let half = session.terms().quotient(pi, two);
-    let complement = session.terms().difference(half, of);
-    let angle = session.numerator_of_polynomial(complement)?;
+    let upright = match function {
+        Elementary::Sin => of,
+        _ => {
+            let half = session.terms().quotient(pi, two);
+            session.terms().difference(half, of)
+        }
+    };
+    let shifted = match turns {
+        0 => upright,
+        turns => {
+            let turns = session.terms().integer(turns);
+            let more = session.terms().product(vec![turns, pi]);
+            session.terms().sum(vec![upright, more])
+        }
+    };
+    if shifted == of {
+        return session.show_sine_sign(of).map(|_| ());
+    }
+    let angle = session.numerator_of_polynomial(shifted)?;
     let rest = Polynomial::generator(pi).minus(&angle);
     session.show_sign(&angle, false)?;
     session.show_sign(&rest, false)?;
-    session.show_sine_sign(complement)?;
-    // cos x = sin(pi/2 - x)
-    let sine = session.terms().elementary(Elementary::Sin, complement);
-    let cosine = session.terms().elementary(Elementary::Cos, of);
-    let met = BTreeSet::from([sine, cosine]);
-    angles::expand(session, &met);
+    session.show_sine_sign(shifted)?;
+    let sine = session.terms().elementary(Elementary::Sin, shifted);
+    let own = session.terms().elementary(function, of);
+    angles::expand(session, &BTreeSet::from([sine, own]));
     session.triangulate_all();
-    session.show_sign(&Polynomial::generator(cosine), false)?;
+    let value = match turns % 2 {
+        0 => Polynomial::generator(own),
+        _ => Polynomial::generator(own).negated(),
+    };
+    session.show_sign(&value, false)?;
     Some(())
 }
 

@@ -51,8 +51,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Reduced, Rule, Rules, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases, thin_domains,
-    under_conditions, values, word_question,
+    Fault, Goal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases,
+    thin_domains, under_conditions, values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
@@ -241,6 +241,8 @@ struct Search<'a> {
     options: &'a Options,
     /// What decides the questions that were met, where it is asked for.
     kept: Option<Vec<Decided>>,
+    /// True if the claim has lemmas, and all of those of the last goals were shown: other ones would bring the same goals.
+    are_lemmas_shown: bool,
 }
 
 impl<'a> Search<'a> {
@@ -254,6 +256,7 @@ impl<'a> Search<'a> {
                 .map_or_else(String::new, |entry| entry.tex.tex.clone()),
             options,
             kept: None,
+            are_lemmas_shown: false,
         }
     }
 
@@ -348,13 +351,13 @@ impl<'a> Search<'a> {
         Some(decision)
     }
 
-    /// Decides a claim by the first antiderivatives that are found for its integrals; by others where that leaves it open, and by
-    /// none.
+    /// Decides a claim by the first antiderivatives that are found for its integrals; by others where these are not shown to be
+    /// such, and by none.
     fn decide(&mut self, sheet: &Sheet, position: usize) -> Decision {
         let known = self.known();
         let (first, ways) = self.decide_by(sheet, position, Some(0));
         let is_open = |decision: &Decision| decision.verdict == Verdict::Undecided && !decision.is_vacuous;
-        if !is_open(&first) || !holds_integrals(sheet, position) {
+        if !is_open(&first) || !holds_integrals(sheet, position) || self.are_lemmas_shown {
             return first;
         }
         for place in (1..ways.min(MOST_WAYS)).map(Some).chain([None]) {
@@ -475,6 +478,7 @@ impl<'a> Search<'a> {
     /// What the goals of a claim come to together.
     fn together(&mut self, goals: &Reduced) -> Decision {
         let mut shown = Vec::new();
+        self.are_lemmas_shown = false;
         for lemma in &goals.lemmas {
             let found = self.settled_otherwise(lemma);
             if found.verdict != Verdict::Proved {
@@ -485,6 +489,7 @@ impl<'a> Search<'a> {
             }
             shown.push(found);
         }
+        self.are_lemmas_shown = !goals.lemmas.is_empty();
         for goal in &goals.necessary {
             let known = self.known();
             let found = self.settled_otherwise(goal);
@@ -717,16 +722,31 @@ fn holds_integrals(sheet: &Sheet, position: usize) -> bool {
 /// The most antiderivatives of one integral that are tried.
 const MOST_WAYS: usize = 3;
 
+/// The antiderivatives at a place among those that are found, or none, and how many are found at most.
+struct Ways<'a> {
+    place: Option<usize>,
+    most: &'a Cell<usize>,
+}
+
+impl Proposals for Ways<'_> {
+    fn antiderivative(&self, of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree> {
+        let place = self.place?;
+        let mut found = integration::antiderivatives(of, by, symbols);
+        self.most.set(self.most.get().max(found.len()));
+        let last = found.len().checked_sub(1)?;
+        Some(found.swap_remove(place.min(last)))
+    }
+
+    fn zeros(&self, of: &Tree, by: &Name, between: [&Tree; 2]) -> Vec<Tree> {
+        integration::zeros(of, by, between)
+    }
+}
+
 /// The goals that a claim comes to by the antiderivatives at a place among those that are found, of which it counts the most;
 /// itself, where it is about numbers.
 fn goals(sheet: &Sheet, position: usize, place: Option<usize>, ways: &Cell<usize>) -> Result<Reduced, Box<Decision>> {
     let statements = Decision::without_search(sheet, position)?;
-    let search = |of: &Tree, by: &Name, symbols: &Symbols| {
-        let mut found = integration::antiderivatives(of, by, symbols);
-        ways.set(ways.get().max(found.len()));
-        let last = found.len().checked_sub(1)?;
-        Some(found.swap_remove(place?.min(last)))
-    };
+    let search = Ways { place, most: ways };
     match reduced(&statements, &sheet.symbols, &search) {
         Ok(Some(reduced)) => Ok(reduced),
         Ok(None) => {

@@ -83,9 +83,10 @@ pub(super) fn by_factorials(of: &Tree, chosen: &Tree) -> Tree {
 }
 
 /// Letters times integers, by their names, and an integer.
-type Linear = (BTreeMap<Name, i64>, i64);
+pub(super) type Linear = (BTreeMap<Name, i64>, i64);
 
-fn linear(tree: &Tree) -> Option<Linear> {
+/// Letters times integers and an integer, added up; None where a tree is something else.
+pub(super) fn linear(tree: &Tree) -> Option<Linear> {
     let scaled = |(letters, constant): Linear, by: i64| -> Option<Linear> {
         let letters = letters
             .into_iter()

@@ -1,4 +1,4 @@
-//! Multiples of exponentials of polynomials; of quadratic ones, integrals over all numbers are known.
+//! Multiples of exponentials of polynomials.
 
 use super::build::{integer, is_zero, negative, plain, product, quotient, sum};
 use super::derivative::mentions;
@@ -7,15 +7,9 @@ use texmath::{Name, Symbols, Tree};
 /// The most coefficients of a polynomial.
 const MOST: usize = 24;
 
-/// A factor and the coefficients, from the constant on, of the exponent of `c e^(u + v x + w x^2)`.
-pub(super) fn quadratic_exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tree, [Tree; 3])> {
-    let (factor, coefficients) = exponential(of, by, symbols)?;
-    Some((factor, coefficients.try_into().ok()?))
-}
-
 /// A factor and the coefficients, from the constant on, of the polynomial in the exponent of a multiple of an exponential.
 pub(super) fn exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tree, Vec<Tree>)> {
-    let search = Search { by, symbols };
+    let search = Search { by };
     match of {
         Tree::Negate(inner) => {
             let (factor, coefficients) = exponential(inner, by, symbols)?;
@@ -33,34 +27,34 @@ pub(super) fn exponential(of: &Tree, by: &Name, symbols: &Symbols) -> Option<(Tr
             free.push(factor);
             Some((product(free), coefficients))
         }
-        tree => Some((integer(1), search.polynomial(&search.exponent(tree)?)?)),
+        tree => Some((integer(1), search.polynomial(exponent_of_e(tree, symbols)?)?)),
+    }
+}
+
+/// The exponent of a power of e.
+pub(super) fn exponent_of_e<'t>(tree: &'t Tree, symbols: &Symbols) -> Option<&'t Tree> {
+    let euler = plain("e");
+    match tree {
+        Tree::RealPower(base, exponent, _) => {
+            let is_euler = matches!(&**base, Tree::Symbol(name, _) if *name == euler);
+            (is_euler && !symbols.declares(&euler)).then_some(&**exponent)
+        }
+        // e^2 and the like are read as integer powers
+        Tree::Call(name, argument, _) if name.base == "\\exp" => Some(&**argument),
+        _ => None,
     }
 }
 
 /// The coefficients of a polynomial in a letter, from the constant on.
-pub(super) fn polynomial(tree: &Tree, by: &Name, symbols: &Symbols) -> Option<Vec<Tree>> {
-    Search { by, symbols }.polynomial(tree)
+pub(super) fn polynomial(tree: &Tree, by: &Name) -> Option<Vec<Tree>> {
+    Search { by }.polynomial(tree)
 }
 
 struct Search<'a> {
     by: &'a Name,
-    symbols: &'a Symbols,
 }
 
 impl Search<'_> {
-    fn exponent(&self, tree: &Tree) -> Option<Tree> {
-        let euler = plain("e");
-        match tree {
-            Tree::RealPower(base, exponent, _) => {
-                let is_euler = matches!(&**base, Tree::Symbol(name, _) if *name == euler);
-                (is_euler && !self.symbols.declares(&euler)).then(|| (**exponent).clone())
-            }
-            // e^2 and the like are read as integer powers
-            Tree::Call(name, argument, _) if name.base == "\\exp" => Some((**argument).clone()),
-            _ => None,
-        }
-    }
-
     /// The coefficients of a polynomial, from the constant on, the last one not written as 0.
     fn polynomial(&self, tree: &Tree) -> Option<Vec<Tree>> {
         let mut coefficients = match tree {

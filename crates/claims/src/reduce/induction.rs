@@ -59,7 +59,7 @@ pub(super) fn goals(statements: &Statements, symbols: &Symbols) -> Result<Vec<Go
 
 /// The goal with factorials as quantities, and one for each condition of a binomial coefficient: that is decided without what
 /// factorials say of their arguments.
-fn with_factorials(statements: &Statements, symbols: &Symbols, part: String) -> Result<Vec<Goal>, String> {
+pub(super) fn with_factorials(statements: &Statements, symbols: &Symbols, part: String) -> Result<Vec<Goal>, String> {
     let WithFactorials {
         statements: written,
         needed,

@@ -59,9 +59,25 @@ pub fn ways(statements: &Statements, symbols: &Symbols) -> Vec<Vec<Vec<Goal>>> {
     let mut is_any = false;
     let of_claim = |claim: &Equation| {
         let mut own = ranges::ways(&written, symbols, claim);
-        if let Some(positive) = positive(claim) {
-            let ways = |letter| in_letter(&written, symbols, &positive, letter, &letters);
-            own.extend(letters.iter().flat_map(ways).take(MOST_WAYS));
+        // what has a sign is not 0
+        let strict = |relation: Relation| Equation {
+            relation,
+            ..claim.clone()
+        };
+        let signs = match claim.relation {
+            Relation::NotEqual => vec![strict(Relation::Greater), strict(Relation::Less)],
+            _ => vec![claim.clone()],
+        };
+        for claim in &signs {
+            if signs.len() > 1 {
+                let mut signed = written.clone().by(Rule::InequalityDerivatives);
+                signed.claims = vec![claim.clone()];
+                own.push(vec![Goal::of(&signed, symbols, claim.to_string())]);
+            }
+            if let Some(positive) = positive(claim) {
+                let ways = |letter| in_letter(&written, symbols, &positive, letter, &letters);
+                own.extend(letters.iter().flat_map(ways).take(MOST_WAYS));
+            }
         }
         // what is given must hold somewhere, all of it together
         let written = difference(claim.left.clone(), claim.right.clone());

@@ -2,20 +2,19 @@
 
 use super::super::definition::CONSTANT_OF_INTEGRATION;
 use super::super::premise::Statements;
-use super::build::{
-    call, difference, infinity, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol,
-};
+use super::build::{difference, infinity, integer, is_zero, negative, plain, product, quotient, root, sum, symbol};
 use super::cases::is_absolute;
 use super::derivative::{By, mentions};
 use super::evaluate::evaluated;
-use super::gaussian::quadratic_exponential;
 use super::germ::End;
 use super::limit::of_limit;
-use super::{Antiderivatives, Goal, Reduced, Rule, defined, fresh};
+use super::moments::moments;
+use super::series::{guess_at, is_likely_zero};
+use super::{Antiderivatives, Goal, Reduced, Rule, defined, factorial, fresh, relations};
 use numbers::{Field, Rational};
 use texmath::{
-    Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, holds_indefinite,
-    mapped, nodes_of, number_of, rewrite, speaks_of,
+    At, Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds,
+    holds_indefinite, mapped, nodes_of, number_of, rewrite, speaks_of,
 };
 
 /// The most nodes of an antiderivative.
@@ -124,13 +123,49 @@ fn integrand(tree: &Tree) -> Option<(&Tree, &Name)> {
     }
 }
 
-/// The claim with each definite integral replaced by the difference of an antiderivative, which holds where the lemmas
-/// do; `None` where there is no such integral, or no antiderivative is found.
+/// Statements without integrals that come to the same where the lemmas hold.
+pub(super) struct Integrated {
+    pub statements: Statements,
+    pub lemmas: Vec<Goal>,
+    pub converging: Vec<Equation>,
+}
+
+impl Integrated {
+    /// The statements as one goal.
+    pub fn into_goal(mut self, symbols: &Symbols) -> Result<Reduced, String> {
+        let evaluated = evaluated(&self.statements, symbols)?;
+        let (simple, relations) = relations::simplified(&evaluated, symbols);
+        for relation in relations {
+            let mut alone = evaluated.clone().by(Rule::ValueRelations);
+            let part = format!("a relation of values: {relation}");
+            alone.claims = vec![relation];
+            self.lemmas.push(Goal::of(&alone, symbols, part));
+        }
+        Ok(Reduced {
+            lemmas: self.lemmas,
+            converging: self.converging,
+            ..Reduced::itself(Goal::of(&simple, symbols, String::new()))
+        })
+    }
+}
+
+/// The claim with each definite integral replaced by its value, as one goal; `None` where there is no such integral, or no value is found.
 pub(super) fn by_antiderivatives(
     statements: &Statements,
     symbols: &Symbols,
     search: Antiderivatives,
 ) -> Result<Option<Reduced>, String> {
+    let found = integrated(statements, symbols, search)?;
+    found.map(|found| found.into_goal(symbols)).transpose()
+}
+
+/// The claim with each definite integral replaced by its value, which holds where the lemmas do; `None` where there is no such
+/// integral, or no value is found.
+pub(super) fn integrated(
+    statements: &Statements,
+    symbols: &Symbols,
+    search: Antiderivatives,
+) -> Result<Option<Integrated>, String> {
     let statements = &defined::with_domain(&gathered(statements, symbols)?, symbols);
     let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
     let is_any_complex = super::trees(statements).into_iter().any(is_complex);
@@ -155,13 +190,10 @@ pub(super) fn by_antiderivatives(
         return Ok(None);
     }
     let without = super::rewritten(statements, Rule::IntegralAntiderivative, &|tree| replaced(tree, &found));
-    let goal = Goal::of(&evaluated(&without, symbols)?, symbols, String::new());
-    Ok(Some(Reduced {
+    Ok(Some(Integrated {
+        statements: without,
         lemmas,
-        sufficient: vec![goal],
-        is_equivalent: true,
         converging,
-        ..Reduced::default()
     }))
 }
 
@@ -208,7 +240,7 @@ pub(super) fn are_numbers(statements: &Statements, symbols: &Symbols) -> bool {
 }
 
 /// The tree with operations replaced by their values.
-fn replaced(tree: &Tree, values: &[(Operation, Tree)]) -> Tree {
+pub(super) fn replaced(tree: &Tree, values: &[(Operation, Tree)]) -> Tree {
     mapped(tree, &|node| match node {
         Tree::Operation(operation, _) => {
             let known = values.iter().find(|(known, _)| *known == **operation);
@@ -219,7 +251,7 @@ fn replaced(tree: &Tree, values: &[(Operation, Tree)]) -> Tree {
 }
 
 /// The definite integrals in a tree that stand in no other one.
-fn outermost(tree: &Tree) -> Vec<Operation> {
+pub(super) fn outermost(tree: &Tree) -> Vec<Operation> {
     let mut found = Vec::new();
     collect_outermost(tree, &mut found);
     found
@@ -272,7 +304,7 @@ fn value_of(
     // the inner integrals first, at each number of the interval
     let (mut inner, mut lemmas, mut converging) = (Vec::new(), Vec::new(), Vec::new());
     let mut within = statements.clone();
-    within.assume.extend(definite.interval(true)?);
+    within.assume.extend(definite.interval(false)?);
     for operation in outermost(&definite.of) {
         let Some(value) = value_of(&operation, &within, &extended, search)? else {
             return Ok(None);
@@ -286,15 +318,47 @@ fn value_of(
     if super::has_operation(&definite.of, symbols) {
         return Ok(None);
     }
-    let found = match definite.changes_of_sign() {
-        places if places.is_empty() => definite.value()?,
-        places => definite.by_pieces(&places)?,
-    };
-    Ok(found.map(|mut value| {
+    Ok(definite.over_pieces()?.map(|mut value| {
         value.lemmas.extend(lemmas);
         value.converging.extend(converging);
         value
     }))
+}
+
+/// That trees are continuous on the closed interval of a definite integral, and around each number of it, as goals.
+pub(super) fn continuous(
+    operation: &Operation,
+    trees: &[Tree],
+    statements: &Statements,
+    symbols: &Symbols,
+    rule: Rule,
+) -> Result<Vec<Goal>, String> {
+    let Some((of, by, limits)) = definite(operation) else {
+        return Ok(Vec::new());
+    };
+    may_be_bound(statements, symbols, by, of)?;
+    let letter = fresh(statements, symbols, &by.base);
+    let mut extended = symbols.clone();
+    extended.let_be_parameter(&letter, false);
+    let within = |tree: &Tree| rewrite(tree, &|name| (name == by).then(|| symbol(&letter)));
+    let definite = Definite {
+        statements,
+        symbols: &extended,
+        of: within(of),
+        letter: &letter,
+        limits,
+        search: &|_: &Tree, _: &Name, _: &Symbols| None,
+    };
+    let trees: Vec<Tree> = trees.iter().map(within).collect();
+    let mut conditions = definite.conditions(&trees.iter().collect::<Vec<_>>())?;
+    for condition in &mut conditions {
+        condition.relation = match condition.relation {
+            Relation::GreaterOrEqual => Relation::Greater,
+            Relation::LessOrEqual => Relation::Less,
+            relation => relation,
+        };
+    }
+    definite.lemmas(rule, "the integrand", conditions, definite.interval(true)?)
 }
 
 /// The claims with several integrals of unknown functions over one interval as one: parts that have no antiderivative may
@@ -427,14 +491,17 @@ fn may_be_bound(statements: &Statements, symbols: &Symbols, by: &Name, of: &Tree
     }
 }
 
-/// The constant and the slope of what is linear in a letter, with numbers.
-fn linear(tree: &Tree, by: &Name, symbols: &Symbols) -> Option<[Rational; 2]> {
-    let coefficients = super::gaussian::polynomial(tree, by, symbols)?;
-    let numbers: Option<Vec<Rational>> = coefficients.iter().map(number_of).collect();
-    numbers?.try_into().ok()
+/// Returns true for a positive number plus even powers, which is not 0 where it has a value.
+fn is_one_and_squares(tree: &Tree) -> bool {
+    let Tree::Sum(terms) = tree else { return false };
+    let is_positive = |term: &Tree| number_of(term).is_some_and(|value| value > Rational::from_integer(0));
+    let is_square = |term: &Tree| matches!(term, Tree::Power(_, exponent @ 0.., _) if exponent % 2 == 0);
+    terms.iter().any(is_positive) && terms.iter().all(|term| is_positive(term) || is_square(term))
 }
 
-/// One definite integral, perhaps an improper one, which is the limit towards an infinite end.
+/// One definite integral, perhaps an improper one, which is the limit towards an infinite end, or towards one at which the
+/// antiderivative has no value.
+#[derive(Clone)]
 struct Definite<'a> {
     statements: &'a Statements,
     symbols: &'a Symbols,
@@ -447,50 +514,58 @@ struct Definite<'a> {
 }
 
 impl Definite<'_> {
-    /// The numbers between limits that are numbers at which what is linear between bars changes its sign, in order.
-    fn changes_of_sign(&self) -> Vec<Rational> {
-        let ends = self.limits.map(number_of);
-        let [Some(low), Some(high)] = ends else {
-            return Vec::new();
-        };
-        let mut places: Vec<Rational> = Vec::new();
+    /// The integral; where what is between bars changes its sign between limits that are numbers, the sum of those over the
+    /// pieces, on each of which it has a sign that is shown.
+    fn over_pieces(&self) -> Result<Option<Value>, String> {
+        let mut bars: Vec<Tree> = Vec::new();
         any(&self.of, &mut |node| {
             if let Tree::Call(_, inner, _) = node
                 && is_absolute(node)
-                && let Some([constant, slope]) = linear(inner, self.letter, self.symbols)
-                && slope != Rational::from_integer(0)
+                && mentions(inner, self.letter)
+                && !bars.contains(inner)
             {
-                places.push(-constant / slope);
+                bars.push((**inner).clone());
             }
             false
         });
-        places.retain(|place| (low < *place && *place < high) || (high < *place && *place < low));
-        places.sort_by(|one, other| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal));
-        places.dedup();
-        if high < low {
-            places.reverse();
+        let places = match bars.is_empty() {
+            true => Vec::new(),
+            false => self.places(&bars),
+        };
+        if bars.is_empty() || (places.is_empty() && self.ends().is_none()) {
+            return self.value();
         }
-        places
+        self.sum_over(&places, &|piece| {
+            let (of, signs) = piece.without_bars();
+            let signs = piece.lemmas(Rule::IntegralPieces, "the sign", signs, piece.interval(false)?)?;
+            let piece = Definite { of, ..piece.clone() };
+            let value = piece.value()?;
+            Ok(value.map(|mut value| {
+                value.lemmas.extend(signs);
+                value
+            }))
+        })
     }
 
-    /// The sum of the integrals from one place to the next, on each of which what is between bars has a sign that is shown.
-    fn by_pieces(&self, places: &[Rational]) -> Result<Option<Value>, String> {
+    /// The sum of what is found for the pieces between one place and the next, in the order of the limits.
+    fn sum_over(
+        &self,
+        places: &[Tree],
+        found: &dyn Fn(&Definite) -> Result<Option<Value>, String>,
+    ) -> Result<Option<Value>, String> {
         let [low, high] = self.limits;
-        let inner = places.iter().map(|place| Tree::Number(place.clone()));
-        let ends: Vec<Tree> = [low.clone()].into_iter().chain(inner).chain([high.clone()]).collect();
+        let ends = [low.clone()]
+            .into_iter()
+            .chain(places.iter().cloned())
+            .chain([high.clone()]);
+        let ends: Vec<Tree> = ends.collect();
         let (mut terms, mut lemmas) = (Vec::new(), Vec::new());
         for (from, to) in ends.iter().zip(ends.iter().skip(1)) {
-            let (of, signs) = self.without_bars(from, to);
             let piece = Definite {
-                statements: self.statements,
-                symbols: self.symbols,
-                of,
-                letter: self.letter,
                 limits: [from, to],
-                search: self.search,
+                ..self.clone()
             };
-            lemmas.extend(piece.lemmas(Rule::IntegralPieces, "the sign", signs, piece.interval(true)?)?);
-            let Some(value) = piece.value()? else {
+            let Some(value) = found(&piece)? else {
                 return Ok(None);
             };
             lemmas.extend(value.lemmas);
@@ -503,19 +578,62 @@ impl Definite<'_> {
         }))
     }
 
-    /// The integrand with the signs that linear terms between bars have in the middle of a piece, and the claims that they have these signs.
-    fn without_bars(&self, from: &Tree, to: &Tree) -> (Tree, Vec<Equation>) {
-        let ends = [from, to].map(number_of);
-        let middle = match ends {
-            [Some(from), Some(to)] => (from + to) / Rational::from_integer(2),
+    /// The ends as machine numbers, where they are numbers or infinite.
+    fn ends(&self) -> Option<[f64; 2]> {
+        let value = |limit: &Tree| match infinity(limit) {
+            Some(true) => Some(f64::INFINITY),
+            Some(false) => Some(f64::NEG_INFINITY),
+            None => {
+                let is_free = |node: &Tree| match node {
+                    Tree::Symbol(name, _) => self.symbols.declares(name) || !texmath::is_constant(name),
+                    Tree::Call(name, ..) => self.symbols.is_function(name),
+                    _ => false,
+                };
+                let value = (!any(limit, &mut |node| is_free(node))).then(|| guess_at(limit, &|_| None))?;
+                value.filter(|value| value.is_finite())
+            }
+        };
+        let [low, high] = self.limits.map(value);
+        Some([low?, high?]).filter(|[low, high]| low != high)
+    }
+
+    /// The numbers within the interval, from one limit to the other, at which trees are likely to be 0.
+    fn places(&self, trees: &[Tree]) -> Vec<Tree> {
+        let Some([from, to]) = self.ends() else {
+            return Vec::new();
+        };
+        let [low, high] = self.limits;
+        let between = if from < to { [low, high] } else { [high, low] };
+        let mut places: Vec<(f64, Tree)> = Vec::new();
+        for tree in trees {
+            for place in self.search.zeros(tree, self.letter, between) {
+                let value = guess_at(&place, &|_| None).filter(|value| from.min(to) < *value && *value < from.max(to));
+                let is_known = |value: f64| places.iter().any(|(known, _)| (known - value).abs() < 1e-9);
+                if let Some(value) = value.filter(|value| !is_known(*value)) {
+                    places.push((value, place));
+                }
+            }
+        }
+        places.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        if to < from {
+            places.reverse();
+        }
+        places.into_iter().map(|(_, place)| place).collect()
+    }
+
+    /// The integrand with the signs that terms between bars have within the piece, and the claims that they have these signs.
+    fn without_bars(&self) -> (Tree, Vec<Equation>) {
+        let middle = match self.ends() {
+            Some([from, to]) if from.is_finite() && to.is_finite() => 0.5 * (from + to),
+            Some([from, _]) if from.is_finite() => from + 1.0,
+            Some([_, to]) if to.is_finite() => to - 1.0,
             _ => return (self.of.clone(), Vec::new()),
         };
-        let zero = Rational::from_integer(0);
         let signed = |node: &Tree| {
             let Tree::Call(_, inner, _) = node else { return None };
-            let [constant, slope] = linear(inner, self.letter, self.symbols).filter(|_| is_absolute(node))?;
-            let is_negative = constant + slope * middle.clone() < zero;
-            Some((is_negative, (**inner).clone()))
+            let is_one = is_absolute(node) && mentions(inner, self.letter);
+            let value = guess_at(inner, &|name| (name == self.letter).then_some(middle)).filter(|_| is_one)?;
+            Some((value < 0.0, (**inner).clone()))
         };
         let of = mapped(&self.of, &|node| {
             let (is_negative, inner) = signed(node)?;
@@ -537,60 +655,264 @@ impl Definite<'_> {
 
     /// The value; `None` where no antiderivative is found.
     fn value(&self) -> Result<Option<Value>, String> {
-        if let Some(found) = self.gaussian()? {
+        if let Some(found) = self.moments()? {
             return Ok(Some(found));
         }
-        let Some(whole) = (self.search)(&self.of, self.letter, self.symbols) else {
+        match self.search.antiderivative(&self.of, self.letter, self.symbols) {
+            Some(whole) => self.by_antiderivative(&whole, Vec::new()).map(Some),
+            None => self.by_reflection(),
+        }
+    }
+
+    /// Half of the integral of the sum of the integrand and its reflection at the middle of a finite interval, on which it is
+    /// continuous.
+    fn by_reflection(&self) -> Result<Option<Value>, String> {
+        let [low, high] = self.limits;
+        if self.limits.iter().any(|limit| infinity(limit).is_some()) {
+            return Ok(None);
+        }
+        let turned = difference(sum(vec![low.clone(), high.clone()]), symbol(self.letter));
+        let reflected = rewrite(&self.of, &|name| (name == self.letter).then(|| turned.clone()));
+        let both = Definite {
+            of: quotient(sum(vec![self.of.clone(), reflected]), integer(2)),
+            ..self.clone()
+        };
+        let Some(whole) = self.search.antiderivative(&both.of, self.letter, self.symbols) else {
             return Ok(None);
         };
-        let slope = By {
-            symbols: self.symbols,
-            name: self.letter,
-        }
-        .of(&whole)?;
-        // both are continuous on the whole interval, and one is the slope of the other within it
-        let (rule, about) = (Rule::IntegralAntiderivative, "the antiderivative");
-        let closed = self.conditions(&[&self.of, &whole])?;
-        let mut lemmas = self.lemmas(rule, about, closed.clone(), self.interval(true)?)?;
-        let mut within = self.conditions(&[&slope])?;
-        within.retain(|condition| !closed.contains(condition));
-        within.push(Equation::between(slope, self.of.clone()));
-        lemmas.extend(self.lemmas(rule, about, within, self.interval(false)?)?);
-        if nodes_of(&whole) > LARGEST {
+        let continuous = self.conditions(&[&self.of])?;
+        let about = "the integrand that is reflected";
+        let lemmas = self.lemmas(Rule::IntegralReflection, about, continuous, self.interval(true)?)?;
+        both.by_antiderivative(&whole, lemmas).map(Some)
+    }
+
+    /// The integral by an antiderivative on each piece between places at which it has no value. Within a piece the integrand is
+    /// continuous and its slope; it is continuous up to an end, or has a limit there.
+    fn by_antiderivative(&self, whole: &Tree, lemmas: Vec<Goal>) -> Result<Value, String> {
+        if nodes_of(whole) > LARGEST {
             return Err("the value of an integral is too large".to_owned());
         }
+        let divisors = self.conditions(&[whole])?.into_iter();
+        let divisors =
+            divisors.filter(|own| own.relation != Relation::GreaterOrEqual && mentions(&own.left, self.letter));
+        let divisors: Vec<Tree> = divisors.map(|own| difference(own.left, own.right)).collect();
+        let places = self.places(&divisors);
+        let pieces = self.sum_over(&places, &|piece| piece.on_piece(whole).map(Some))?;
+        let mut value = pieces.ok_or("an integral without pieces")?;
+        value.lemmas.extend(lemmas);
+        value.converging = self.convergence().into_iter().collect();
+        Ok(value)
+    }
+
+    fn on_piece(&self, whole: &Tree) -> Result<Value, String> {
+        let by = By {
+            symbols: self.symbols,
+            name: self.letter,
+        };
+        let slope = by.of(whole)?;
+        let (rule, about) = (Rule::IntegralAntiderivative, "the antiderivative");
+        let vanishing = self.vanishing_powers(whole);
+        let conditions = self.continuity(whole, &vanishing)?;
+        let is_singular = self
+            .limits
+            .map(|limit| infinity(limit).is_none() && self.is_singular(&conditions, limit));
+        let closed = self.region(is_singular.map(|is_singular| !is_singular))?;
+        let mut lemmas = self.lemmas(rule, about, conditions.clone(), closed)?;
+        let mut within = self.conditions(&[&self.of, &slope])?;
+        within.retain(|condition| !conditions.contains(condition));
+        within.push(Equation::between(slope, self.of.clone()));
+        lemmas.extend(self.lemmas(rule, about, within, self.interval(false)?)?);
         let [low, high] = self.limits;
         if self.limits.iter().all(|limit| infinity(limit).is_none()) && !speaks_of(&self.of, self.letter) {
             let length = difference(high.clone(), low.clone());
-            return Ok(Some(Value {
+            return Ok(Value {
                 tree: product(vec![self.of.clone(), length]),
                 lemmas,
                 converging: Vec::new(),
-            }));
-        }
-        let mut ends = Vec::new();
-        let likely: Vec<Equation> = self.convergence().into_iter().collect();
-        for limit in self.limits {
-            ends.push(match infinity(limit) {
-                None => rewrite(&whole, &|name| (name == self.letter).then(|| limit.clone())),
-                Some(_) => {
-                    // what does not move in the antiderivative has a value, by the lemmas
-                    let found = of_limit(self.statements, self.symbols, &whole, self.letter, limit, &likely)?;
-                    lemmas.extend(found.lemmas);
-                    match found.end {
-                        Some(End::Finite(value)) => *value,
-                        _ => return Err("an integral that diverges, as far as it is followed".to_owned()),
-                    }
-                }
             });
         }
-        let high = ends.pop().unwrap_or_else(|| integer(0));
-        let low = ends.pop().unwrap_or_else(|| integer(0));
-        Ok(Some(Value {
+        if is_singular.contains(&true) && self.ends().is_none() {
+            let ordered = Equation {
+                relation: Relation::Less,
+                ..Equation::between(low.clone(), high.clone())
+            };
+            lemmas.extend(self.lemmas(rule, "the order of the limits", vec![ordered], Vec::new())?);
+        }
+        let is_ascending = self.ends().is_none_or(|[low, high]| low < high);
+        let [at_low, at_high] = is_singular;
+        let low = self.towards(low, at_low.then_some(is_ascending));
+        let high = self.towards(high, at_high.then_some(!is_ascending));
+        let mut value = |limit: &Tree| self.value_at(whole, &vanishing, limit, &mut lemmas);
+        let (high, low) = (value(&high)?, value(&low)?);
+        Ok(Value {
             tree: difference(high, low),
             lemmas,
-            converging: likely,
-        }))
+            converging: Vec::new(),
+        })
+    }
+
+    /// A limit, or what tends to it from above or below.
+    fn towards(&self, limit: &Tree, is_above: Option<bool>) -> Tree {
+        let one_sided =
+            |is_above| Tree::Operation(Box::new(Operation::OneSided(limit.clone(), is_above)), At::default());
+        is_above.map_or_else(|| limit.clone(), one_sided)
+    }
+
+    /// The value or the limit of an antiderivative at an end, with the goals that it needs.
+    fn value_at(&self, whole: &Tree, vanishing: &[Tree], limit: &Tree, lemmas: &mut Vec<Goal>) -> Result<Tree, String> {
+        if infinity(limit).is_none() && !matches!(limit, Tree::Operation(..)) {
+            let (value, needed) = self.at_end(whole, vanishing, limit);
+            let about = "the value at an end";
+            lemmas.extend(self.lemmas(Rule::IntegralAntiderivative, about, needed, Vec::new())?);
+            return Ok(value);
+        }
+        // what does not move in the antiderivative has a value, by the lemmas
+        let likely: Vec<Equation> = self.convergence().into_iter().collect();
+        let found = of_limit(self.statements, self.symbols, whole, self.letter, limit, &likely)?;
+        lemmas.extend(found.lemmas);
+        match found.end {
+            Some(End::Finite(value)) => Ok(*value),
+            _ => Err("an integral that diverges, as far as it is followed".to_owned()),
+        }
+    }
+
+    /// The powers of what vanishes at an end, whose exponents do not move: where these are positive, such a power is continuous
+    /// there, and 0.
+    fn vanishing_powers(&self, whole: &Tree) -> Vec<Tree> {
+        let mut found = Vec::new();
+        any(whole, &mut |node| {
+            let Tree::RealPower(base, exponent, _) = node else {
+                return false;
+            };
+            let is_zero_at = |limit: &&Tree| infinity(limit).is_none() && is_likely_zero(&self.at(base, limit));
+            let is_one =
+                mentions(base, self.letter) && !mentions(exponent, self.letter) && self.limits.iter().any(is_zero_at);
+            if is_one && !found.contains(node) {
+                found.push(node.clone());
+            }
+            false
+        });
+        found
+    }
+
+    fn at(&self, tree: &Tree, place: &Tree) -> Tree {
+        rewrite(tree, &|name| (name == self.letter).then(|| place.clone()))
+    }
+
+    /// The conditions under which a tree has a value and is continuous, where powers that vanish at an end have positive exponents.
+    fn continuity(&self, whole: &Tree, vanishing: &[Tree]) -> Result<Vec<Equation>, String> {
+        // a root is continuous where such a power is
+        let as_roots = mapped(whole, &|node| match node {
+            Tree::RealPower(base, exponent, _) if vanishing.contains(node) => {
+                (!factorial::is_integer(exponent, self.symbols)).then(|| root((**base).clone()))
+            }
+            _ => None,
+        });
+        let mut conditions = self.conditions(&[&as_roots])?;
+        for node in vanishing {
+            if let Tree::RealPower(_, exponent, _) = node {
+                conditions.extend(self.conditions(&[exponent])?);
+                conditions.push(Equation {
+                    relation: Relation::Greater,
+                    ..Equation::between((**exponent).clone(), integer(0))
+                });
+            }
+        }
+        Ok(conditions)
+    }
+
+    /// Returns true if a condition is likely not to hold at an end.
+    fn is_singular(&self, conditions: &[Equation], limit: &Tree) -> bool {
+        conditions.iter().any(|condition| {
+            let moves = [&condition.left, &condition.right]
+                .into_iter()
+                .any(|side| mentions(side, self.letter));
+            let is_strict =
+                condition.relation != Relation::GreaterOrEqual && condition.relation != Relation::LessOrEqual;
+            moves
+                && is_strict
+                && is_likely_zero(&self.at(&difference(condition.left.clone(), condition.right.clone()), limit))
+        })
+    }
+
+    /// The value of an antiderivative at an end at which it is continuous, and what must hold for it to be that.
+    fn at_end(&self, whole: &Tree, vanishing: &[Tree], limit: &Tree) -> (Tree, Vec<Equation>) {
+        let mut needed = Vec::new();
+        for node in vanishing {
+            if let Tree::RealPower(base, ..) = node {
+                let base = self.at(base, limit);
+                if is_likely_zero(&base) && number_of(&base) != Some(Rational::from_integer(0)) {
+                    needed.push(Equation::between(base, integer(0)));
+                }
+            }
+        }
+        let there = mapped(whole, &|node| match node {
+            Tree::RealPower(base, ..) if vanishing.contains(node) => {
+                is_likely_zero(&self.at(base, limit)).then(|| integer(0))
+            }
+            _ => None,
+        });
+        (self.plain(&self.at(&there, limit), &mut needed), needed)
+    }
+
+    /// The tree with arguments of functions, roots and powers that are likely to be -1, 0 or 1 as these numbers, which must be shown.
+    fn plain(&self, tree: &Tree, needed: &mut Vec<Equation>) -> Tree {
+        let found = std::cell::RefCell::new(Vec::new());
+        let whole = |inner: &Tree| -> Option<Tree> {
+            let number = [0, 1, -1].into_iter().map(integer);
+            let number = number
+                .into_iter()
+                .find(|number| is_likely_zero(&difference(inner.clone(), number.clone())))?;
+            if number_of(inner).is_none() {
+                found
+                    .borrow_mut()
+                    .push(Equation::between(inner.clone(), number.clone()));
+            }
+            Some(number)
+        };
+        let plain = mapped(tree, &|node| match node {
+            Tree::Call(name, inner, at) if Elementary::named(name).is_some() => {
+                Some(Tree::Call(name.clone(), Box::new(whole(inner)?), *at))
+            }
+            Tree::Root(inner, index, at) => Some(Tree::Root(Box::new(whole(inner)?), *index, *at)),
+            Tree::RealPower(base, ..) => whole(base).filter(|base| number_of(base) == Some(Rational::from_integer(1))),
+            _ => None,
+        });
+        needed.extend(found.into_inner());
+        // all of it has a value, so that a factor 0 leaves nothing
+        let zero = Rational::from_integer(0);
+        mapped(&plain, &|node| match node {
+            Tree::Product(factors) if factors.iter().any(|factor| number_of(factor).as_ref() == Some(&zero)) => {
+                Some(integer(0))
+            }
+            _ => None,
+        })
+    }
+
+    /// The condition that a tree is not 0 as one that it has a sign, where it has one at some numbers of an interval between numbers:
+    /// that is shown more often.
+    fn with_sign(&self, condition: Equation) -> Equation {
+        let Some([from, to]) = self.ends().filter(|_| condition.relation == Relation::NotEqual) else {
+            return condition;
+        };
+        let far = |end: f64, other: f64| match (end.is_finite(), other.is_finite()) {
+            (true, _) => end,
+            (false, true) => other + 40.0_f64.copysign(end),
+            (false, false) => 40.0_f64.copysign(end),
+        };
+        let [from, to] = [far(from, to), far(to, from)];
+        let whole = difference(condition.left.clone(), condition.right.clone());
+        let at = |part: f64| {
+            let x = from + part * (to - from);
+            guess_at(&whole, &|name| (name == self.letter).then_some(x)).filter(|value| value.is_finite())
+        };
+        let values: Option<Vec<f64>> = [0.01, 0.13, 0.29, 0.5, 0.61, 0.83, 0.99].into_iter().map(at).collect();
+        let relation = match values {
+            Some(values) if values.iter().all(|value| *value > 0.0) => Relation::Greater,
+            Some(values) if values.iter().all(|value| *value < 0.0) => Relation::Less,
+            _ => Relation::NotEqual,
+        };
+        Equation { relation, ..condition }
     }
 
     /// The condition without which an improper integral has no value: that the exponential decays in a multiple, by a number
@@ -625,48 +947,18 @@ impl Definite<'_> {
         })
     }
 
-    /// The integral of e^(c + b x - a x^2) over all numbers, which is e^(c + b^2/(4 a)) \sqrt{\pi/a} for positive a; half
-    /// of it from 0 on, where b is 0.
-    fn gaussian(&self) -> Result<Option<Value>, String> {
-        let [low, high] = self.limits;
-        let Some((factor, [constant, linear, square])) = quadratic_exponential(&self.of, self.letter, self.symbols)
-        else {
+    /// The integral of powers times exponentials.
+    fn moments(&self) -> Result<Option<Value>, String> {
+        let Some(found) = moments(&self.of, self.letter, self.limits, self.symbols) else {
             return Ok(None);
         };
-        let is_half = match (infinity(low), infinity(high)) {
-            (Some(false), Some(true)) => false,
-            (None, Some(true)) if is_zero(low) && is_zero(&linear) => true,
-            _ => return Ok(None),
-        };
-        let letter = symbol(self.letter);
-        let exponent = sum(vec![
-            constant.clone(),
-            product(vec![linear.clone(), letter.clone()]),
-            product(vec![square.clone(), power(letter, 2)]),
-        ]);
-        let mut claims = self.conditions(&[&self.of, &factor])?;
-        let decays = Equation {
-            relation: Relation::Less,
-            ..Equation::between(square.clone(), integer(0))
-        };
-        claims.push(decays);
-        claims.push(Equation::between(
-            self.of.clone(),
-            product(vec![factor.clone(), call("\\exp", exponent)]),
-        ));
-        let about = "the integral of a normal distribution";
-        let lemmas = self.lemmas(Rule::IntegralGaussian, about, claims, self.interval(true)?)?;
-        let least = quotient(power(linear, 2), product(vec![integer(4), square.clone()]));
-        let pi = symbol(&plain("\\pi"));
-        let value = product(vec![
-            factor,
-            call("\\exp", difference(constant, least)),
-            root(quotient(pi, negative(square))),
-        ]);
-        let tree = if is_half { quotient(value, integer(2)) } else { value };
+        let mut claims = self.conditions(&[&self.of, &found.sum])?;
+        claims.push(Equation::between(self.of.clone(), found.sum));
+        claims.extend(found.needed);
+        let about = "the integral of powers times exponentials";
         Ok(Some(Value {
-            tree,
-            lemmas,
+            tree: found.value,
+            lemmas: self.lemmas(Rule::IntegralGamma, about, claims, self.interval(false)?)?,
             converging: self.convergence().into_iter().collect(),
         }))
     }
@@ -684,6 +976,7 @@ impl Definite<'_> {
         for tree in trees {
             needed.extend(defined::conditions_beside(tree, self.symbols, &is_smooth)?);
         }
+        needed.retain(|condition| condition.relation != Relation::NotEqual || !is_one_and_squares(&condition.left));
         Ok(needed)
     }
 
@@ -693,7 +986,7 @@ impl Definite<'_> {
         rule: Rule,
         about: &str,
         claims: Vec<Equation>,
-        interval: Option<Condition>,
+        interval: Vec<Condition>,
     ) -> Result<Vec<Goal>, String> {
         let mut alone = self.statements.clone().by(rule);
         alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
@@ -705,6 +998,7 @@ impl Definite<'_> {
                 continue;
             }
             known.push(claim.clone());
+            let claim = self.with_sign(claim);
             let part = format!("{about}: {claim}");
             alone.claims = vec![claim];
             lemmas.push(Goal::of(&alone, self.symbols, part));
@@ -713,26 +1007,54 @@ impl Definite<'_> {
     }
 
     /// That the letter lies between the limits, these included or not; nothing where these are all numbers.
-    fn interval(&self, is_closed: bool) -> Result<Option<Condition>, String> {
-        let [low, high] = self.limits;
+    fn interval(&self, is_closed: bool) -> Result<Vec<Condition>, String> {
+        self.region([is_closed; 2])
+    }
+
+    /// That the letter lies between the limits, each of these included or not.
+    fn region(&self, is_closed: [bool; 2]) -> Result<Vec<Condition>, String> {
         let letter = || symbol(self.letter);
-        let (below, above) = match is_closed {
-            true => (Relation::LessOrEqual, Relation::GreaterOrEqual),
-            false => (Relation::Less, Relation::Greater),
+        let related = |left: Tree, relation: Relation, right: &Tree| {
+            Condition::Relation(Equation {
+                relation,
+                ..Equation::between(left, right.clone())
+            })
         };
-        let (left, relation, right) = match (infinity(low), infinity(high)) {
-            (None, None) => {
-                let between = vec![difference(letter(), low.clone()), difference(letter(), high.clone())];
-                (product(between), below, integer(0))
+        let above = |place: usize| match is_closed.get(place) {
+            Some(true) => Relation::GreaterOrEqual,
+            _ => Relation::Greater,
+        };
+        let below = |place: usize| match is_closed.get(place) {
+            Some(true) => Relation::LessOrEqual,
+            _ => Relation::Less,
+        };
+        let [low, high] = self.limits;
+        Ok(match (infinity(low), infinity(high), self.ends()) {
+            (Some(false), Some(true), _) => Vec::new(),
+            (None, Some(true), _) => vec![related(letter(), above(0), low)],
+            (Some(false), None, _) => vec![related(letter(), below(1), high)],
+            (None, None, Some([from, to])) if from < to => {
+                vec![related(letter(), above(0), low), related(letter(), below(1), high)]
             }
-            (None, Some(true)) => (letter(), above, low.clone()),
-            (Some(false), None) => (letter(), below, high.clone()),
-            (Some(false), Some(true)) => return Ok(None),
+            (None, None, Some(_)) => vec![related(letter(), below(0), low), related(letter(), above(1), high)],
+            (None, None, None) => {
+                let between = vec![difference(letter(), low.clone()), difference(letter(), high.clone())];
+                let relation = match is_closed.contains(&true) {
+                    true => Relation::LessOrEqual,
+                    false => Relation::Less,
+                };
+                let open = self
+                    .limits
+                    .into_iter()
+                    .zip(is_closed)
+                    .filter(|(_, is_closed)| !is_closed);
+                let open = open.filter(|_| relation == Relation::LessOrEqual);
+                let open = open.map(|(limit, _)| related(letter(), Relation::NotEqual, limit));
+                std::iter::once(related(product(between), relation, &integer(0)))
+                    .chain(open)
+                    .collect()
+            }
             _ => return Err("an integral from infinity down, or to minus infinity".to_owned()),
-        };
-        Ok(Some(Condition::Relation(Equation {
-            relation,
-            ..Equation::between(left, right)
-        })))
+        })
     }
 }

@@ -21,11 +21,14 @@ mod instances;
 mod integers;
 mod integral;
 mod law;
+mod leibniz;
 mod limit;
 mod matrix;
+mod moments;
 mod prepared;
 mod ranges;
 mod recurrence;
+mod relations;
 mod roots;
 mod rule;
 mod running;
@@ -49,8 +52,25 @@ use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, nam
 /// The most primes of a name that stands for a number in a proof.
 const MOST_PRIMES: u8 = 9;
 
-/// A search for antiderivatives by a letter, of which nothing is trusted: what it finds is shown to be one.
-pub type Antiderivatives<'a> = &'a dyn Fn(&Tree, &Name, &Symbols) -> Option<Tree>;
+/// A search for antiderivatives and zeros, of which nothing is trusted: what it finds is shown to be one.
+pub trait Proposals {
+    /// An antiderivative of a tree by a letter.
+    fn antiderivative(&self, of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree>;
+
+    /// Numbers between two others, in ascending order, at which a tree in one letter is 0.
+    fn zeros(&self, _of: &Tree, _by: &Name, _between: [&Tree; 2]) -> Vec<Tree> {
+        Vec::new()
+    }
+}
+
+impl<F: Fn(&Tree, &Name, &Symbols) -> Option<Tree>> Proposals for F {
+    fn antiderivative(&self, of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree> {
+        self(of, by, symbols)
+    }
+}
+
+/// What is searched by.
+pub type Antiderivatives<'a> = &'a dyn Proposals;
 
 /// A claim without operations.
 #[derive(Clone, Debug)]
@@ -187,6 +207,9 @@ fn without_operations(
     if integral::is_indefinite(&statements) && all.into_iter().any(cases::stands_in) {
         return Err("an antiderivative by cases".to_owned());
     }
+    let differentiated;
+    (statements, differentiated) = leibniz::differentiated(&statements, symbols)?;
+    lemmas.extend(differentiated);
     if limit::stands_in(&statements) {
         let needed;
         (statements, needed) = limit::evaluated(&statements, symbols)?;
@@ -277,8 +300,8 @@ fn over_an_index(
     search: Antiderivatives,
     reason: String,
 ) -> Result<Reduced, String> {
-    if let Some(found) = integral::by_antiderivatives(statements, symbols, search)? {
-        return Ok(found);
+    if let Some(found) = integral::integrated(statements, symbols, search)? {
+        return of_integrated(found, symbols);
     }
     if integral::are_numbers(statements, symbols) {
         let goal = Goal::of(statements, symbols, String::new());
@@ -308,6 +331,22 @@ fn over_an_index(
         sufficient,
         necessary,
         reason: why,
+        ..Reduced::default()
+    })
+}
+
+/// What a claim without its integrals comes to: factorials of letters are positive quantities of which the recurrence is known, which
+/// is enough to prove it, and small numbers refute it.
+fn of_integrated(found: integral::Integrated, symbols: &Symbols) -> Result<Reduced, String> {
+    let has_factorials = trees(&found.statements).into_iter().any(factorial::stands_in);
+    if !has_factorials || evaluate::evaluated(&found.statements, symbols).is_ok() {
+        return found.into_goal(symbols);
+    }
+    Ok(Reduced {
+        sufficient: induction::with_factorials(&found.statements, symbols, String::new())?,
+        necessary: instances::of(&found.statements, symbols),
+        lemmas: found.lemmas,
+        converging: found.converging,
         ..Reduced::default()
     })
 }

@@ -28,8 +28,14 @@ pub enum Rule {
     IntegralPieces,
     /// An improper integral is taken to have a value.
     IntegralConverges,
-    /// The integral of a normal distribution.
-    IntegralGaussian,
+    /// Powers times exponentials are integrated by the gamma function.
+    IntegralGamma,
+    /// An integral is differentiated by a letter in its limits or its integrand.
+    IntegralLeibniz,
+    /// The integral is half of that of the integrand and its reflection at the middle of the interval.
+    IntegralReflection,
+    /// Logarithms and angles are replaced by multiples of others that are shown to be equal.
+    ValueRelations,
     /// A limit is read off a power series.
     LimitSeries,
     /// `O(x^n)` is read off a power series.
@@ -119,7 +125,10 @@ impl fmt::Display for Rule {
             Self::IntegralAntiderivative => "integral: antiderivative",
             Self::IntegralPieces => "integral: pieces",
             Self::IntegralConverges => "integral: converges",
-            Self::IntegralGaussian => "integral: Gaussian",
+            Self::IntegralGamma => "integral: gamma function",
+            Self::IntegralLeibniz => "integral: Leibniz",
+            Self::IntegralReflection => "integral: reflection",
+            Self::ValueRelations => "values: relations",
             Self::LimitSeries => "limit: series",
             Self::OrderSeries => "order: series",
             Self::SeriesTerms => "sum: terms",

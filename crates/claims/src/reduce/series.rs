@@ -275,6 +275,11 @@ pub(super) fn vanishes_at(tree: &Tree, of: &dyn Fn(&Name) -> Option<f64>) -> Opt
     Some(value.abs() < 1e-9 * size.max(1e-6))
 }
 
+/// Returns true if a tree is likely to be 0: nothing rests on it.
+pub(super) fn is_likely_zero(tree: &Tree) -> bool {
+    is_zero(tree) || vanishes_at(tree, &|name| Some(seed(name))) == Some(true)
+}
+
 /// Returns numbers for letters, which meet the conditions if some are found.
 pub(super) fn point_of(names: &[Name], conditions: &[&Equation], symbols: &texmath::Symbols) -> BTreeMap<Name, f64> {
     let mut point = BTreeMap::new();

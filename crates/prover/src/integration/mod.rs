@@ -12,6 +12,7 @@ mod tangents;
 mod tower;
 mod tree;
 mod waves;
+mod zeros;
 
 use crate::algebra::{Steps, degree_in};
 use field::Field;
@@ -22,6 +23,8 @@ use std::collections::BTreeSet;
 use texmath::{Name, Symbols, Tree, any, mapped, names_in, nodes_of, speaks_of, with_symbol};
 use tower::{Kind, Tower, VARIABLE, letter};
 use tree::{integer, power, product, quotient, sum, symbol, value};
+
+pub use zeros::zeros;
 
 /// The steps of one search, and of one attempt in it.
 const STEPS: u64 = 1_350_000;
@@ -45,6 +48,7 @@ pub fn antiderivatives(of: &Tree, by: &Name, symbols: &Symbols) -> Vec<Tree> {
     if nodes_of(of) > LARGEST {
         return Vec::new();
     }
+    let of = &in_plain_angles(of, by);
     let mut found = Vec::new();
     for is_reversed in [false, true] {
         let mut search = Search {
@@ -53,7 +57,7 @@ pub fn antiderivatives(of: &Tree, by: &Name, symbols: &Symbols) -> Vec<Tree> {
             steps: Steps::new(STEPS),
         };
         for tree in search.of(of, by, 0).unwrap_or_default() {
-            let tree = search.sharpened(&tree, of, by);
+            let tree = gathered_powers(&search.sharpened(&tree, of, by), by);
             if !found.contains(&tree) {
                 found.push(tree);
             }
@@ -312,6 +316,66 @@ fn tidied(tree: &Tree) -> Tree {
             _ => None,
         },
         _ => None,
+    })
+}
+
+/// The tree with sines and cosines of a letter and quarter turns by those of the letter, as `\cos x` for `\sin(\pi/2 - x)`.
+fn in_plain_angles(tree: &Tree, by: &Name) -> Tree {
+    mapped(tree, &|node| {
+        let Tree::Call(name, argument, _) = node else {
+            return None;
+        };
+        let place = ["\\sin", "\\cos"].iter().position(|own| *own == name.base)?;
+        let at = |x: f64| value(argument, &|name| letter(name, by, x, false));
+        let (phase, slope) = (at(0.0)?, at(1.0)? - at(0.0)?);
+        let quarters = phase / std::f64::consts::FRAC_PI_2;
+        let is_linear = (at(3.7)? - phase - 3.7 * slope).abs() < 1e-9;
+        let is_turned = quarters.abs() > 0.5 && (quarters - quarters.round()).abs() < 1e-9;
+        let is_plain = (slope.abs() - slope.abs().round()).abs() < 1e-9 && (0.5..40.0).contains(&slope.abs());
+        if !is_linear || !is_turned || !is_plain {
+            return None;
+        }
+        let factor = (1..40_i64).find(|factor| (slope.abs() - *factor as f64).abs() < 0.5)?;
+        let inner = product(vec![integer(factor), symbol(by)]);
+        // of the sine, k quarters more; of the cosine, one more than that
+        let quarters = (0..4).find(|k| {
+            (quarters - f64::from(*k))
+                .rem_euclid(4.0)
+                .min(4.0 - (quarters - f64::from(*k)).rem_euclid(4.0))
+                < 0.5
+        })?;
+        let turned = (quarters + i32::from(place == 1)) % 4;
+        let function = if turned % 2 == 0 { "\\sin" } else { "\\cos" };
+        let is_negative = (turned >= 2) != (turned % 2 == 0 && slope < 0.0);
+        let plain = tree::call(function, inner);
+        Some(if is_negative { tree::negative(plain) } else { plain })
+    })
+}
+
+/// The tree with powers of the letter in a product as one, where one of them has an exponent that is no number: `x x^a` is defined
+/// at 0 by the sum of the exponents alone.
+fn gathered_powers(tree: &Tree, by: &Name) -> Tree {
+    let exponent_of = |factor: &Tree| {
+        let is_letter = |base: &Tree| matches!(base, Tree::Symbol(name, _) if name == by);
+        match factor {
+            base if is_letter(base) => Some(integer(1)),
+            Tree::Power(base, exponent, _) if is_letter(base) => Some(integer(i64::from(*exponent))),
+            Tree::RealPower(base, exponent, _) if is_letter(base) => Some((**exponent).clone()),
+            _ => None,
+        }
+    };
+    mapped(tree, &|node| {
+        let Tree::Product(factors) = node else { return None };
+        let (powers, others): (Vec<&Tree>, Vec<&Tree>) = factors.iter().partition(|own| exponent_of(own).is_some());
+        let is_symbolic = powers.iter().any(|own| matches!(own, Tree::RealPower(..)));
+        if powers.len() < 2 || !is_symbolic {
+            return None;
+        }
+        let exponent = sum(powers.into_iter().filter_map(exponent_of).collect());
+        let others = others.into_iter().map(|own| gathered_powers(own, by));
+        Some(product(
+            others.chain([tree::real_power(symbol(by), exponent)]).collect(),
+        ))
     })
 }
 
