@@ -1,14 +1,33 @@
 //! The rules by which claims are reduced to goals: each goal that is not the claim as read names one.
 
 use crate::common::{attacks, sample};
-use vibro_audit::claim::{Reduced, Rule, Sheet, Statements, other_ways, reduced, reduced_by_cases, vocabulary};
-use vibro_audit::prove::integration::antiderivative;
+use vibro_audit::claim::{
+    Proposal, Proposals, Reduced, Rule, Sheet, Statements, other_ways, reduced, reduced_by_cases, vocabulary,
+};
+use vibro_audit::prove::integration::{antiderivative, zeros};
+use vibro_audit::prove::summation::summation;
 use vibro_audit::prove::{Options, decide};
-use vibro_audit::tex::DoubtKind;
+use vibro_audit::tex::{DoubtKind, Name, Symbols, Tree};
+
+struct First;
+
+impl Proposals for First {
+    fn antiderivative(&self, of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree> {
+        antiderivative(of, by, symbols)
+    }
+
+    fn zeros(&self, of: &Tree, by: &Name, between: [&Tree; 2]) -> Vec<Tree> {
+        zeros(of, by, between)
+    }
+
+    fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
+        summation(term, index, symbols)
+    }
+}
 
 /// The goals of a claim, with the rules that name how they came of it.
 fn all_reductions(read: &Statements, sheet: &Sheet) -> Vec<Reduced> {
-    let of_operations = reduced(read, &sheet.symbols, &antiderivative).ok().flatten();
+    let of_operations = reduced(read, &sheet.symbols, &First).ok().flatten();
     let statements = match &of_operations {
         Some(Reduced { sufficient, .. }) => sufficient.iter().map(|goal| &goal.statements).collect(),
         None => vec![read],
@@ -65,7 +84,7 @@ fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
                 }
             }
             // of an inequality or a root, one goal of each way at least
-            for way in other_ways(&read, &sheet.symbols).into_iter().flatten() {
+            for way in other_ways(&read, &sheet.symbols).into_iter().flatten().flatten() {
                 let is_read = way.iter().all(|goal| goal.statements.claims == read.claims);
                 let is_one_claim = way.len() == 1 && read.claims.contains(&way[0].statements.claims[0]);
                 let has_rule = way.iter().any(|goal| !goal.statements.rules.is_empty());

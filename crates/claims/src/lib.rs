@@ -44,8 +44,8 @@ pub use fault::{Fault, Source};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{
-    Antiderivatives, Goal, Proposals, Reduced, Rule, Rules, along_a_sequence, divisors, other_ways, reduced,
-    reduced_by_cases, thin_domains, under_conditions, values,
+    Goal, Multiple, Proposal, Proposals, Reduced, Row, Rule, Rules, along_a_sequence, by_induction, divisors,
+    other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values,
 };
 pub use sheet::{Sheet, read_symbols};
 pub use verdict::Verdict;

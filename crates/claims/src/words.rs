@@ -352,6 +352,10 @@ impl<'a> Reader<'a> {
 
     /// A sum over an index, with those within it: finite ones whose ends do not depend on each other may change places.
     fn series(&mut self, of: &Tree, index: &Name, ends: [&Tree; 2], depth: usize) -> Option<Words> {
+        // one that may have no value stands for no number
+        if !is_finite(&ends) && matches!(ends[0], Tree::Number(_) | Tree::Negate(_)) {
+            return None;
+        }
         let mut ranges = vec![(index.clone(), ends.map(Tree::clone))];
         let mut of = with_sums(of);
         while let Some((index, ends, body)) = inner_sum(&of).filter(|(index, ends, _)| {

@@ -8,7 +8,8 @@ use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The values of the symbols in turn, as numerators and denominators: units have powers that stay small, fractions are near both ends of (-1, 1).
-const VALUES: [&[(i64, i64)]; 7] = [
+/// numbers of which one is far larger than the other are those of bounds that grow.
+const VALUES: [&[(i64, i64)]; 9] = [
     &[(2, 1), (3, 1), (5, 1), (7, 1), (11, 1), (4, 1), (9, 1), (6, 1)],
     &[(1, 2), (1, 3), (2, 3), (3, 4), (1, 5), (4, 5), (5, 6)],
     &[(-1, 1), (1, 1), (2, 1), (-2, 1), (3, 1), (1, 2)],
@@ -16,6 +17,8 @@ const VALUES: [&[(i64, i64)]; 7] = [
     &[(1, 1), (-1, 1)],
     &[(4, 5), (-3, 4), (1, 6), (-2, 3)],
     &[(-5, 6), (2, 5), (3, 4), (-1, 5)],
+    &[(1000, 1), (6, 1), (500, 1), (7, 1)],
+    &[(6, 1), (1000, 1), (7, 1), (500, 1)],
 ];
 /// The most digits of a value; those of chains of squares double at each link.
 const MOST_DIGITS: usize = 400;

@@ -40,6 +40,7 @@ mod roots;
 mod script;
 mod session;
 mod signs;
+pub mod summation;
 mod values;
 mod words;
 
@@ -51,8 +52,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Verdict, other_ways, reduced, reduced_by_cases,
-    thin_domains, under_conditions, values, word_question,
+    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Verdict, by_induction, other_ways,
+    reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
@@ -375,14 +376,14 @@ impl<'a> Search<'a> {
     fn decide_by(&mut self, sheet: &Sheet, position: usize, place: Option<usize>) -> (Decision, usize) {
         let ways = Cell::new(0);
         let decision = match goals(sheet, position, place, &ways) {
-            Ok(goals) => self.decide_goals(&goals),
+            Ok(goals) => self.decide_goals(sheet, position, &goals),
             Err(decision) => *decision,
         };
         (decision, ways.get())
     }
 
     /// Decides a claim by the goals that it comes to.
-    fn decide_goals(&mut self, goals: &Reduced) -> Decision {
+    fn decide_goals(&mut self, sheet: &Sheet, position: usize, goals: &Reduced) -> Decision {
         let decision = self.together(goals);
         let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
         let further = match (decision.verdict, goals.sufficient.as_slice()) {
@@ -406,6 +407,10 @@ impl<'a> Search<'a> {
             }
             _ => decision,
         };
+        let decision = match decision.verdict {
+            Verdict::Undecided if !decision.is_vacuous => self.by_induction(sheet, position).unwrap_or(decision),
+            _ => decision,
+        };
         if decision.verdict != Verdict::Proved {
             return decision;
         }
@@ -417,6 +422,19 @@ impl<'a> Search<'a> {
                 _ => None,
             });
         thin.unwrap_or(decision)
+    }
+
+    /// Proves inequalities by induction over one of their integers; nothing where they are not proved so.
+    fn by_induction(&mut self, sheet: &Sheet, position: usize) -> Option<Decision> {
+        let statements = Decision::without_search(sheet, position).ok()?;
+        let goals = by_induction(&statements, &sheet.symbols)?;
+        let known = self.known();
+        let decision = self.together(&goals);
+        if decision.verdict != Verdict::Proved {
+            self.forget(known);
+            return None;
+        }
+        Some(decision)
     }
 
     /// Decides a claim where the bases of its powers are positive and its integrals have values; nothing where it is not decided so.
@@ -577,23 +595,24 @@ impl<'a> Search<'a> {
             return decision;
         }
         self.forget(known);
-        let claims = other_ways(&goal.statements, &goal.symbols);
-        let mut shown = Vec::new();
-        for ways in &claims {
-            match ways.iter().find_map(|way| self.holding(way)) {
-                Some(goals) => shown.extend(goals),
-                None => {
-                    self.forget(known);
-                    return decision;
-                }
+        for parts in other_ways(&goal.statements, &goal.symbols) {
+            if let Some(shown) = self.shown_by_parts(&parts).filter(|shown| !shown.is_empty()) {
+                let mut decision = self.start.clone();
+                decision.conclude(shown);
+                return decision;
             }
+            self.forget(known);
         }
-        if shown.is_empty() {
-            return decision;
-        }
-        let mut decision = self.start.clone();
-        decision.conclude(shown);
         decision
+    }
+
+    /// The decisions on goals by which all parts of a claim are proved, each by the first way that succeeds.
+    fn shown_by_parts(&mut self, parts: &[Vec<Vec<Goal>>]) -> Option<Vec<Decision>> {
+        let mut shown = Vec::new();
+        for ways in parts {
+            shown.extend(ways.iter().find_map(|way| self.holding(way))?);
+        }
+        Some(shown)
     }
 
     /// The decisions on the goals where all are proved, for every number: a derivative must have its sign everywhere, and what
@@ -739,6 +758,10 @@ impl Proposals for Ways<'_> {
 
     fn zeros(&self, of: &Tree, by: &Name, between: [&Tree; 2]) -> Vec<Tree> {
         integration::zeros(of, by, between)
+    }
+
+    fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
+        summation::summation(term, index, symbols)
     }
 }
 

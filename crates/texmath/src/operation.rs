@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
                 }
                 Some(Kind::Sup) if to.is_none() => {
                     self.next += 1;
-                    to = Some(*self.limit()?);
+                    to = Some(self.end_of_series()?);
                 }
                 _ => break,
             }
@@ -271,14 +271,18 @@ impl<'a> Reader<'a> {
         Ok((index, from))
     }
 
-    /// A limit of a sum: a letter, a digit, or what stands between braces.
-    fn limit(&mut self) -> Result<Box<Tree>, Fault> {
-        match self.infinity_ahead() {
-            Some(_) => {
-                let instead = "limits at infinity are not read";
-                Err(Fault::unsupported(self.here(), "this limit", instead))
+    /// The upper limit of a sum or a product: a letter, a digit, what stands between braces, or infinity.
+    fn end_of_series(&mut self) -> Result<Tree, Fault> {
+        let at = self.here();
+        match self.limit_or_infinity()? {
+            Tree::Negate(inner) if matches!(&*inner, Tree::Operation(operation, _) if **operation == Operation::Infinity) => {
+                Err(Fault::unsupported(
+                    at,
+                    "this limit",
+                    "a sum ends at a number or at infinity",
+                ))
             }
-            None => self.argument(),
+            end => Ok(end),
         }
     }
 
@@ -1368,7 +1372,7 @@ mod tests {
             (r"(x)_0^1", "a subscript on an expression"),
             (r"[x]_{x=0}^{y=1}", "of one letter"),
             (r"\sum_{k=1} k", "both limits"),
-            (r"\sum_{k=1}^\infty k", "at infinity"),
+            (r"\sum_{k=1}^{-\infty} k", "at infinity"),
             (r"\sum_{k}^{n} k", "`=`"),
             (r"\prod_{k=1}^{n} k a", "a product of several factors"),
             (r"\begin{cases} 1 \\ 2 & x > 0 \end{cases}", "a factor"),

@@ -22,7 +22,12 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
         }
         for goal in further.sufficient.iter_mut().chain(&mut further.lemmas) {
             goal.statements.assume.push(Condition::Relation(condition.clone()));
-            goal.statements.rules.insert(Rule::IntegralConverges);
+            goal.statements
+                .rules
+                .insert(match goal.statements.rules.contains(&Rule::SeriesInfinite) {
+                    true => Rule::SeriesConverges,
+                    false => Rule::IntegralConverges,
+                });
         }
     }
     for goal in further.sufficient.iter_mut().chain(&mut further.lemmas) {

@@ -230,6 +230,13 @@ pub(super) fn added_up(tree: &Tree) -> Option<Tree> {
     linear(tree).map(|linear| tree_of(&linear))
 }
 
+/// The factor of a letter in a tree that is an integer times it and an integer, and that integer.
+pub(super) fn multiple_of(tree: &Tree, letter: &Name) -> Option<(i64, i64)> {
+    let (letters, constant) = linear(tree)?;
+    let is_alone = letters.keys().all(|name| name == letter);
+    is_alone.then(|| (letters.get(letter).copied().unwrap_or(0), constant))
+}
+
 /// Whether a tree is letters times integers and an integer, added up.
 pub(super) fn is_linear(tree: &Tree) -> bool {
     linear(tree).is_some()

@@ -12,6 +12,12 @@ use texmath::{
     mapped, rewrite, subscript_of,
 };
 
+/// The most terms that a sum has more at the next integer, where its terms depend on that.
+const MOST_STEPS: i64 = 3;
+
+/// The first values of an integer that are looked at by themselves before a step of an inequality without sums.
+const LATER: i64 = 2;
+
 /// A sum or product whose limits move with the integer.
 pub(super) struct Moving {
     operation: Operation,
@@ -85,6 +91,21 @@ pub(super) fn with_factorials(statements: &Statements, symbols: &Symbols, part: 
     Ok(goals)
 }
 
+/// The goals that prove inequalities without sums by induction over one of their integers.
+pub(super) fn of_inequalities(statements: &Statements, symbols: &Symbols) -> Option<Vec<Goal>> {
+    let is_inequality = |claim: &Equation| !matches!(claim.relation, Relation::Equal | Relation::NotEqual);
+    let is_other = |operation: &Operation| !matches!(operation, Operation::Binomial(..));
+    let is_plain = |claim: &Equation| is_inequality(claim) && !holds(claim, &is_other);
+    let is_real = !super::trees(statements)
+        .into_iter()
+        .any(|tree| symbols.may_be_complex(tree));
+    if !is_real || !statements.premises.is_empty() || !statements.claims.iter().all(is_plain) {
+        return None;
+    }
+    let letters = free_integers(statements, symbols);
+    letters.iter().find_map(|letter| over(statements, symbols, letter).ok())
+}
+
 fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec<Goal>, String> {
     let statements = &statements.clone().by(Rule::SeriesInduction);
     let first = first_value(&statements.assume, symbols, letter)?;
@@ -121,8 +142,8 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
             ..sum
         };
         let length = motion(sum.to, letter, first).filter(|_| factorial::is_linear(sum.to));
-        let is_plain = length.is_some_and(|(last, step)| step == 1 && last - sum.from >= -1);
-        let known = is_plain.then(|| sum.telescoped(&name, &next)).flatten();
+        let length = length.filter(|(last, step)| (1..=MOST_STEPS).contains(step) && last - sum.from >= -1);
+        let known = length.and_then(|(_, step)| sum.telescoped(&name, &next, step));
         let known = known.ok_or_else(|| format!("the terms of a sum depend on {letter}"))?;
         over_terms.push((index.clone(), sum.from, sum.to.clone(), of.clone(), known.of_terms));
         telescoped.push(known.of_sums);
@@ -154,8 +175,12 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
     };
     next.claims = now.claims.iter().map(equation).collect();
     let known = format!("the claim at {letter}");
-    let claims = now.claims.iter().cloned();
-    next.premises.extend(claims.map(|claim| Premise::known(&known, claim)));
+    for claim in &now.claims {
+        match claim.relation {
+            Relation::Equal => next.premises.push(Premise::known(&known, claim.clone())),
+            _ => next.assume.push(Condition::Relation(claim.clone())),
+        }
+    }
     if !telescoped.is_empty() {
         next = next.by(Rule::SeriesTelescoping);
     }
@@ -164,14 +189,19 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
         .map(|equation| Premise::known("the sum telescopes", equation));
     next.premises.extend(of_sums);
     let mut goals = Vec::new();
-    // what an equation gives of the next sum may be nothing at the first value
-    let bases = first..=first + i64::from(!over_terms.is_empty());
-    if !over_terms.is_empty() {
+    // what an equation gives of the next sum may be nothing at the first value, and powers outgrow others a little later
+    let later = match (over_terms.is_empty(), moving.is_empty()) {
+        (false, _) => 1,
+        (true, true) => LATER,
+        (true, false) => 0,
+    };
+    if later > 0 {
         next.assume.push(Condition::Relation(Equation {
             relation: Relation::GreaterOrEqual,
-            ..Equation::between(symbol(letter), integer(first + 1))
+            ..Equation::between(symbol(letter), integer(first + later))
         }));
     }
+    let bases = first..=first + later;
     for base in bases {
         let at_base = instances::at(statements, &symbols, &[(letter, base)]);
         let at_base = at_base.ok_or("the first value is not admissible")?;

@@ -7,11 +7,12 @@
 //! that is concave on an interval is at least the smaller of its values at the ends.
 
 use super::super::premise::Statements;
-use super::build::{difference, integer, negative, product, sum, symbol};
+use super::build::{difference, integer, negative, plain, product, quotient, sum, symbol};
 use super::derivative::{By, mentions};
-use super::series::{guess_at, seed};
-use super::{Goal, Rule, defined, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out};
-use numbers::{Field, Rational};
+use super::series::{guess_at, ratio, seed};
+use super::{
+    Goal, Rule, bounds, defined, factorial, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out,
+};
 use texmath::{
     Condition, Elementary, Equation, Name, Parity, Relation, Symbols, Tree, any, mapped, nodes_of, number_of, rewrite,
 };
@@ -21,6 +22,7 @@ const HIGHEST: usize = 6;
 const LARGEST: usize = 600;
 const MOST_WAYS: usize = 6;
 const MOST_ORDERS: usize = 3;
+const MOST_SIDES: usize = 3;
 
 /// Where signs are looked at before anything is claimed, as parts of the way to the end, and how far they may be off.
 const FRACTIONS: [f64; 7] = [0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99];
@@ -41,8 +43,178 @@ struct Positive {
     is_strict: bool,
 }
 
-/// Ways to prove each claim, each a list of goals that are enough together; empty where none is of this kind.
-pub fn ways(statements: &Statements, symbols: &Symbols) -> Vec<Vec<Vec<Goal>>> {
+/// Goals that are enough together.
+type Way = Vec<Goal>;
+
+/// Alternatives to prove the claims: each a list of parts that are enough together, each with its ways.
+pub fn alternatives(statements: &Statements, symbols: &Symbols) -> Vec<Vec<Vec<Way>>> {
+    let first = ways(statements, symbols);
+    let mut found: Vec<Vec<Vec<Way>>> = (!first.is_empty()).then_some(first).into_iter().collect();
+    let (Ok(written), [_]) = (written_out(statements, symbols), statements.claims.as_slice()) else {
+        return found;
+    };
+    let is_other = |tree: &Tree| symbols.may_be_complex(tree) || has_operation(tree, symbols);
+    if !trees(&written).into_iter().any(is_other)
+        && let [claim] = written.claims.as_slice()
+    {
+        let parts = Parts {
+            statements: &written,
+            symbols,
+            letters: letters(&written, symbols),
+        };
+        found.extend(parts.of_value(claim));
+        found.extend(parts.on_both_sides(claim));
+    }
+    found
+}
+
+/// A claim by parts of the values of a letter.
+struct Parts<'a> {
+    statements: &'a Statements,
+    symbols: &'a Symbols,
+    letters: Vec<Name>,
+}
+
+impl Parts<'_> {
+    /// That what is given holds somewhere, where a letter has a value if one is named.
+    fn somewhere(&self, value: Option<(&Name, &Tree)>) -> Vec<Way> {
+        let mut alone = self.statements.clone();
+        let written = alone
+            .claims
+            .iter()
+            .map(|claim| difference(claim.left.clone(), claim.right.clone()));
+        alone.claims = written.map(|tree| Equation::between(tree.clone(), tree)).collect();
+        if let Some((letter, value)) = value {
+            let there =
+                |tree: &Tree| with_known_values(&rewrite(tree, &|name| (name == letter).then(|| value.clone())));
+            alone = super::rewritten(&alone, Rule::InequalityDerivatives, &there);
+            alone.assume.retain(|condition| match condition {
+                Condition::Relation(own) => super::instances::relation_holds(own) != Some(true),
+                Condition::Integer(_) => true,
+            });
+        }
+        let part = "what is given holds somewhere".to_owned();
+        vec![vec![Goal::of(&alone, self.symbols, part)]]
+    }
+
+    /// The ways to show that a function is positive under further bounds of a letter.
+    fn ways(&self, statements: &Statements, letter: &Name, function: &Positive, bounds: &[Equation]) -> Vec<Way> {
+        let mut within = statements.clone().by(Rule::InequalityDerivatives);
+        within.assume.extend(bounds.iter().cloned().map(Condition::Relation));
+        let kind = match function.is_strict {
+            true => Relation::Greater,
+            false => Relation::GreaterOrEqual,
+        };
+        within.claims = vec![relation(function.function.clone(), kind)];
+        let printed: Vec<String> = bounds.iter().map(ToString::to_string).collect();
+        let whole = Goal::of(&within, self.symbols, format!("for {}", printed.join(", ")));
+        let mut all = in_letter(&within, self.symbols, function, letter, &self.letters);
+        all.truncate(MOST_SIDES);
+        all.extend(bounds::ways(&whole, &in_letter_of));
+        all
+    }
+
+    /// An inequality in one letter on both sides of 1 or of -1.
+    fn on_both_sides(&self, claim: &Equation) -> Vec<Vec<Vec<Way>>> {
+        let (Some(function), [letter]) = (positive(claim), self.letters.as_slice()) else {
+            return Vec::new();
+        };
+        let at = |point: i64| {
+            let bound = |kind| Equation {
+                relation: kind,
+                ..Equation::between(symbol(letter), integer(point))
+            };
+            let mut parts: Vec<Vec<Way>> = [Relation::LessOrEqual, Relation::GreaterOrEqual]
+                .into_iter()
+                .map(|kind| self.ways(self.statements, letter, &function, &[bound(kind)]))
+                .collect();
+            parts.push(self.somewhere(None));
+            parts
+        };
+        let is_any = |parts: &Vec<Vec<Way>>| parts.iter().all(|ways| !ways.is_empty());
+        [1, -1].into_iter().map(at).filter(is_any).collect()
+    }
+
+    /// That a letter has a value wherever an equation that is assumed holds: on either side of the value one side of the
+    /// equation is the larger one.
+    fn of_value(&self, claim: &Equation) -> Vec<Vec<Vec<Way>>> {
+        let (letter, value) = match (&claim.left, &claim.right) {
+            (Tree::Symbol(name, _), value) | (value, Tree::Symbol(name, _)) => (name, value),
+            _ => return Vec::new(),
+        };
+        if claim.relation != Relation::Equal || value.has_free(letter) || !self.letters.contains(letter) {
+            return Vec::new();
+        }
+        let assumed = self.statements.assume.iter().enumerate();
+        let equations = assumed.filter_map(|(place, condition)| match condition {
+            Condition::Relation(own) if own.relation == Relation::Equal => Some((place, own)),
+            _ => None,
+        });
+        let speaks = |own: &Equation| own.left.has_free(letter) || own.right.has_free(letter);
+        let mut found = Vec::new();
+        for (place, equation) in equations.filter(|(_, own)| speaks(own)) {
+            let mut without = self.statements.clone();
+            without.assume.remove(place);
+            for is_split in [false, true] {
+                let mut parts = self.beside(&without, letter, value, equation, is_split);
+                parts.push(self.somewhere(Some((letter, value))));
+                if parts.iter().all(|ways| !ways.is_empty()) {
+                    found.push(parts);
+                }
+            }
+        }
+        found
+    }
+
+    /// The parts of the values of a letter beside one: on both sides of it, or each side near and far.
+    fn beside(
+        &self,
+        without: &Statements,
+        letter: &Name,
+        value: &Tree,
+        equation: &Equation,
+        is_split: bool,
+    ) -> Vec<Vec<Way>> {
+        let to = |relation: Relation, bound: Tree| Equation {
+            relation,
+            ..Equation::between(symbol(letter), bound)
+        };
+        let mut parts = Vec::new();
+        for (away, near, far, step) in [
+            (Relation::Greater, Relation::LessOrEqual, Relation::GreaterOrEqual, 1),
+            (Relation::Less, Relation::GreaterOrEqual, Relation::LessOrEqual, -1),
+        ] {
+            // the near part and the far one overlap, for 3/2 is less than half of pi
+            let middle = |distance: Tree| match step > 0 {
+                true => sum(vec![value.clone(), distance]),
+                false => difference(value.clone(), distance),
+            };
+            let half_pi = quotient(symbol(&plain("\\pi")), integer(2));
+            let bounds = match is_split {
+                true => vec![
+                    vec![to(away, value.clone()), to(near, middle(half_pi))],
+                    vec![to(far, middle(ratio(3, 2)))],
+                ],
+                false => vec![vec![to(away, value.clone())]],
+            };
+            for bounds in bounds {
+                let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+                let ways = sides.into_iter().flat_map(|(larger, smaller)| {
+                    let function = Positive {
+                        function: difference(larger.clone(), smaller.clone()),
+                        is_strict: true,
+                    };
+                    self.ways(without, letter, &function, &bounds)
+                });
+                parts.push(ways.collect());
+            }
+        }
+        parts
+    }
+}
+
+/// Ways to prove each claim; empty where none is of this kind.
+fn ways(statements: &Statements, symbols: &Symbols) -> Vec<Vec<Way>> {
     let Ok(written) = written_out(statements, symbols) else {
         return Vec::new();
     };
@@ -77,6 +249,7 @@ pub fn ways(statements: &Statements, symbols: &Symbols) -> Vec<Vec<Vec<Goal>>> {
             if let Some(positive) = positive(claim) {
                 let ways = |letter| in_letter(&written, symbols, &positive, letter, &letters);
                 own.extend(letters.iter().flat_map(ways).take(MOST_WAYS));
+                own.extend(bounds::ways(&alone(claim.clone(), String::new()), &in_letter_of));
             }
         }
         // what is given must hold somewhere, all of it together
@@ -165,23 +338,27 @@ impl Range {
         }
     }
 
-    /// The same where this has a value: the logarithm of the letter, a root of it.
+    /// The same where this has a value: logarithms and roots of the letter, or of the letter and a number.
     fn within_domain_of(mut self, function: &Tree) -> Self {
-        let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == self.letter);
-        let mut bound = None;
+        let mut bounds = Vec::new();
         any(function, &mut |node| {
-            match node {
-                Tree::Call(name, argument, _) if name.base == "\\ln" && is_letter(argument) => {
-                    bound = Some(Relation::Greater);
-                }
-                Tree::Root(of, index, _) if index % 2 == 0 && is_letter(of) => {
-                    bound = bound.or(Some(Relation::GreaterOrEqual));
-                }
-                _ => {}
+            let (argument, strict) = match node {
+                Tree::Call(name, argument, _) if name.base == "\\ln" => (argument, true),
+                Tree::Root(of, index, _) if index % 2 == 0 => (of, false),
+                _ => return false,
+            };
+            if let Some((slope @ (..=-1 | 1..), offset)) = factorial::multiple_of(argument, &self.letter) {
+                let kind = match (slope > 0, strict) {
+                    (true, true) => Relation::Greater,
+                    (true, false) => Relation::GreaterOrEqual,
+                    (false, true) => Relation::Less,
+                    (false, false) => Relation::LessOrEqual,
+                };
+                bounds.push((kind, ratio(-offset, slope)));
             }
             false
         });
-        self.bounds.extend(bound.map(|relation| (relation, integer(0))));
+        self.bounds.extend(bounds);
         self
     }
 
@@ -233,6 +410,14 @@ struct Question<'a> {
     shift: f64,
     /// The function and its derivatives by `between`.
     derivatives: Vec<Tree>,
+}
+
+/// The ways to prove a goal in a letter of it.
+fn in_letter_of(goal: &Goal, letter: &Name) -> Vec<Way> {
+    let claim = goal.statements.claims.first();
+    let positive = claim.and_then(positive);
+    let ways = |positive| in_letter(&goal.statements, &goal.symbols, &positive, letter, &[]);
+    positive.map_or_else(Vec::new, ways)
 }
 
 fn in_letter(
@@ -400,20 +585,27 @@ fn signed(tree: &Tree, order: usize, is_above: bool) -> Tree {
     }
 }
 
+/// The tree with the values of inverse functions that are 0: of odd ones at 0, and of the logarithm at 1.
+fn with_known_values(tree: &Tree) -> Tree {
+    mapped(tree, &|node| match node {
+        Tree::Call(name, argument, _) => {
+            let own = number_of(argument)?;
+            let is_odd = |function: &Elementary| function.inverse_of.is_some() && function.parity == Some(Parity::Odd);
+            let is_zero = match own.to_integer()? {
+                0 => Elementary::named(name).is_some_and(is_odd),
+                1 => name.base == "\\ln",
+                _ => false,
+            };
+            is_zero.then(|| integer(0))
+        }
+        _ => None,
+    })
+}
+
 impl Question<'_> {
     /// The value at a point; inverse functions of 0 that are 0 are written so.
     fn at(&self, tree: &Tree, point: &Tree) -> Tree {
-        let there = rewrite(tree, &|name| (name == self.between).then(|| point.clone()));
-        mapped(&there, &|node| match node {
-            Tree::Call(name, argument, _)
-                if Elementary::named(name)
-                    .is_some_and(|function| function.inverse_of.is_some() && function.parity == Some(Parity::Odd)) =>
-            {
-                let is_zero = number_of(argument).is_some_and(|value| value == Rational::from_integer(0));
-                is_zero.then(|| integer(0))
-            }
-            _ => None,
-        })
+        with_known_values(&rewrite(tree, &|name| (name == self.between).then(|| point.clone())))
     }
 
     /// The goals by Taylor's theorem at a point, on each side on which the letter may be, with the first order that may
@@ -605,7 +797,6 @@ impl Question<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::build::{plain, quotient};
     use super::*;
 
     #[test]
@@ -614,6 +805,22 @@ mod tests {
         let (above, below) = fraction(&difference(quotient(x.clone(), y), quotient(integer(1), x)));
         let at = |tree: &Tree| guess_at(tree, &|name| Some(if name.base == "x" { 3.0 } else { 5.0 }));
         assert_eq!((at(&above), at(&below)), (Some(4.0), Some(15.0)));
+    }
+
+    #[test]
+    fn the_logarithm_of_a_number_and_the_letter_bounds_the_letter() {
+        let range = |bounds| Range {
+            letter: plain("x"),
+            bounds,
+            excluded: Vec::new(),
+        };
+        let argument = sum(vec![integer(1), product(vec![integer(-2), symbol(&plain("x"))])]);
+        let logarithm = super::super::build::call("\\ln", argument);
+        let found = range(Vec::new()).within_domain_of(&logarithm).bounds;
+        assert_eq!(found, vec![(Relation::Less, ratio(-1, -2))]);
+        let other = product(vec![symbol(&plain("x")), symbol(&plain("y"))]);
+        let logarithm = super::super::build::call("\\ln", other);
+        assert!(range(Vec::new()).within_domain_of(&logarithm).bounds.is_empty());
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::build::integer;
 use super::evaluate::evaluated;
 use super::integers::free_integers;
 use super::integral::by_antiderivatives;
-use super::{Antiderivatives, Goal, Reduced, Rule, rewritten, trees};
+use super::{Goal, Proposals, Reduced, Rule, rewritten, trees};
 use numbers::{Field, Rational};
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, number_of, rewrite};
 
@@ -29,9 +29,9 @@ pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
 }
 
 /// The claim with integrals at small numbers for its integers; each instance holds where its lemmas do.
-pub(super) fn with_integrals(statements: &Statements, symbols: &Symbols, search: Antiderivatives) -> Option<Reduced> {
+pub(super) fn with_integrals(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Option<Reduced> {
     let reduced = |instance: &Statements, part: String| {
-        let mut reduced = by_antiderivatives(instance, symbols, search).ok()??;
+        let mut reduced = by_antiderivatives(instance, symbols, proposals).ok()??;
         for goal in &mut reduced.sufficient {
             goal.part.clone_from(&part);
         }

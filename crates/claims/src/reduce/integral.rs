@@ -10,7 +10,7 @@ use super::germ::End;
 use super::limit::of_limit;
 use super::moments::moments;
 use super::series::{guess_at, is_likely_zero};
-use super::{Antiderivatives, Goal, Reduced, Rule, defined, factorial, fresh, relations};
+use super::{Goal, NoProposals, Proposals, Reduced, Rule, defined, factorial, fresh, relations};
 use numbers::{Field, Rational};
 use texmath::{
     At, Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds,
@@ -153,9 +153,9 @@ impl Integrated {
 pub(super) fn by_antiderivatives(
     statements: &Statements,
     symbols: &Symbols,
-    search: Antiderivatives,
+    proposals: &dyn Proposals,
 ) -> Result<Option<Reduced>, String> {
-    let found = integrated(statements, symbols, search)?;
+    let found = integrated(statements, symbols, proposals)?;
     found.map(|found| found.into_goal(symbols)).transpose()
 }
 
@@ -164,7 +164,7 @@ pub(super) fn by_antiderivatives(
 pub(super) fn integrated(
     statements: &Statements,
     symbols: &Symbols,
-    search: Antiderivatives,
+    proposals: &dyn Proposals,
 ) -> Result<Option<Integrated>, String> {
     let statements = &defined::with_domain(&gathered(statements, symbols)?, symbols);
     let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
@@ -178,7 +178,7 @@ pub(super) fn integrated(
             if is_any_complex {
                 return Ok(None);
             }
-            let Some(value) = value_of(&operation, statements, symbols, search)? else {
+            let Some(value) = value_of(&operation, statements, symbols, proposals)? else {
                 return Ok(None);
             };
             lemmas.extend(value.lemmas);
@@ -284,7 +284,7 @@ fn value_of(
     operation: &Operation,
     statements: &Statements,
     symbols: &Symbols,
-    search: Antiderivatives,
+    proposals: &dyn Proposals,
 ) -> Result<Option<Value>, String> {
     let Some((of, by, [low, high])) = definite(operation) else {
         return Ok(None);
@@ -299,14 +299,14 @@ fn value_of(
         of: rewrite(of, &|name| (name == by).then(|| symbol(&letter))),
         letter: &letter,
         limits: [low, high],
-        search,
+        proposals,
     };
     // the inner integrals first, at each number of the interval
     let (mut inner, mut lemmas, mut converging) = (Vec::new(), Vec::new(), Vec::new());
     let mut within = statements.clone();
     within.assume.extend(definite.interval(false)?);
     for operation in outermost(&definite.of) {
-        let Some(value) = value_of(&operation, &within, &extended, search)? else {
+        let Some(value) = value_of(&operation, &within, &extended, proposals)? else {
             return Ok(None);
         };
         lemmas.extend(value.lemmas);
@@ -347,7 +347,7 @@ pub(super) fn continuous(
         of: within(of),
         letter: &letter,
         limits,
-        search: &|_: &Tree, _: &Name, _: &Symbols| None,
+        proposals: &NoProposals,
     };
     let trees: Vec<Tree> = trees.iter().map(within).collect();
     let mut conditions = definite.conditions(&trees.iter().collect::<Vec<_>>())?;
@@ -510,7 +510,7 @@ struct Definite<'a> {
     /// What it is integrated by, which stands for any number of the interval.
     letter: &'a Name,
     limits: [&'a Tree; 2],
-    search: Antiderivatives<'a>,
+    proposals: &'a dyn Proposals,
 }
 
 impl Definite<'_> {
@@ -606,7 +606,7 @@ impl Definite<'_> {
         let between = if from < to { [low, high] } else { [high, low] };
         let mut places: Vec<(f64, Tree)> = Vec::new();
         for tree in trees {
-            for place in self.search.zeros(tree, self.letter, between) {
+            for place in self.proposals.zeros(tree, self.letter, between) {
                 let value = guess_at(&place, &|_| None).filter(|value| from.min(to) < *value && *value < from.max(to));
                 let is_known = |value: f64| places.iter().any(|(known, _)| (known - value).abs() < 1e-9);
                 if let Some(value) = value.filter(|value| !is_known(*value)) {
@@ -658,7 +658,7 @@ impl Definite<'_> {
         if let Some(found) = self.moments()? {
             return Ok(Some(found));
         }
-        match self.search.antiderivative(&self.of, self.letter, self.symbols) {
+        match self.proposals.antiderivative(&self.of, self.letter, self.symbols) {
             Some(whole) => self.by_antiderivative(&whole, Vec::new()).map(Some),
             None => self.by_reflection(),
         }
@@ -677,7 +677,7 @@ impl Definite<'_> {
             of: quotient(sum(vec![self.of.clone(), reflected]), integer(2)),
             ..self.clone()
         };
-        let Some(whole) = self.search.antiderivative(&both.of, self.letter, self.symbols) else {
+        let Some(whole) = self.proposals.antiderivative(&both.of, self.letter, self.symbols) else {
             return Ok(None);
         };
         let continuous = self.conditions(&[&self.of])?;

@@ -4,6 +4,7 @@
 //! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names. The rules are
 //! recorded in the statements that they rewrite, and so in each goal that comes of them.
 
+mod bounds;
 mod build;
 mod cases;
 mod complex;
@@ -17,6 +18,7 @@ mod gaussian;
 mod germ;
 mod induction;
 mod inequality;
+mod infinite;
 mod instances;
 mod integers;
 mod integral;
@@ -34,6 +36,7 @@ mod rule;
 mod running;
 mod sequences;
 mod series;
+mod table;
 mod telescope;
 mod thin;
 
@@ -42,8 +45,10 @@ use super::elaborate;
 use super::premise::Statements;
 pub use conditions::under_conditions;
 pub use divisors::divisors;
-pub use inequality::ways as other_ways;
+pub use inequality::alternatives as other_ways;
+pub use infinite::{Multiple, Proposal};
 pub use rule::{Rule, Rules};
+pub use table::Row;
 pub use thin::{thin_domains, values};
 
 use std::collections::BTreeSet;
@@ -52,25 +57,28 @@ use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, nam
 /// The most primes of a name that stands for a number in a proof.
 const MOST_PRIMES: u8 = 9;
 
-/// A search for antiderivatives and zeros, of which nothing is trusted: what it finds is shown to be one.
+/// Searches for what reductions need, of which nothing is trusted: what they find is shown to be right.
 pub trait Proposals {
-    /// An antiderivative of a tree by a letter.
-    fn antiderivative(&self, of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree>;
+    /// Returns an antiderivative of a tree by a letter.
+    fn antiderivative(&self, _of: &Tree, _by: &Name, _symbols: &Symbols) -> Option<Tree> {
+        None
+    }
 
-    /// Numbers between two others, in ascending order, at which a tree in one letter is 0.
+    /// Returns numbers between two others, in ascending order, at which a tree in one letter is 0.
     fn zeros(&self, _of: &Tree, _by: &Name, _between: [&Tree; 2]) -> Vec<Tree> {
         Vec::new()
     }
-}
 
-impl<F: Fn(&Tree, &Name, &Symbols) -> Option<Tree>> Proposals for F {
-    fn antiderivative(&self, of: &Tree, by: &Name, symbols: &Symbols) -> Option<Tree> {
-        self(of, by, symbols)
+    /// Returns the terms of a sum to infinity as those of known sums and differences; its index runs from 0 on.
+    fn summation(&self, _term: &Tree, _index: &Name, _symbols: &Symbols) -> Option<Proposal> {
+        None
     }
 }
 
-/// What is searched by.
-pub type Antiderivatives<'a> = &'a dyn Proposals;
+/// No search at all.
+struct NoProposals;
+
+impl Proposals for NoProposals {}
 
 /// A claim without operations.
 #[derive(Clone, Debug)]
@@ -160,16 +168,20 @@ fn trees(statements: &Statements) -> Vec<&Tree> {
 ///
 /// # Errors
 /// Why an operation has no meaning here, or is not reduced.
-pub fn reduced(statements: &Statements, symbols: &Symbols, search: Antiderivatives) -> Result<Option<Reduced>, String> {
+pub fn reduced(
+    statements: &Statements,
+    symbols: &Symbols,
+    proposals: &dyn Proposals,
+) -> Result<Option<Reduced>, String> {
     if !complex::takes_part(statements, symbols) {
-        return Ok(without_operations(statements, symbols, search)?.map(|mut reduced| {
+        return Ok(without_operations(statements, symbols, proposals)?.map(|mut reduced| {
             reduced.lemmas.iter_mut().for_each(Goal::rest_on_numbers);
             reduced
         }));
     }
     let written = written_out(statements, symbols)?;
     complex::refuse_inside(&written, symbols)?;
-    let reduced = match without_operations(&written, symbols, search)? {
+    let reduced = match without_operations(&written, symbols, proposals)? {
         Some(reduced) => reduced,
         None => Reduced::itself(Goal::of(&written, symbols, String::new())),
     };
@@ -180,7 +192,7 @@ pub fn reduced(statements: &Statements, symbols: &Symbols, search: Antiderivativ
 fn without_operations(
     statements: &Statements,
     symbols: &Symbols,
-    search: Antiderivatives,
+    proposals: &dyn Proposals,
 ) -> Result<Option<Reduced>, String> {
     let setting = || sequences::Setting::of(statements, symbols).ok();
     if sequences::is_spoken_of(statements, symbols) && setting().is_some_and(|own| own.has_multiples(statements)) {
@@ -190,6 +202,15 @@ fn without_operations(
         return Ok(None);
     }
     let written = written_out(statements, symbols)?;
+    if let Some(summed) = infinite::summed(&written, symbols, proposals)? {
+        let mut reduced = match without_operations(&summed.statements, symbols, proposals)? {
+            Some(reduced) => reduced,
+            None => Reduced::itself(Goal::of(&summed.statements, symbols, String::new())),
+        };
+        reduced.lemmas.extend(summed.lemmas);
+        reduced.converging.extend(summed.converging);
+        return Ok(Some(reduced));
+    }
     let (written, mut lemmas) = roots::as_powers(&written, symbols)?;
     let laws = law::Laws {
         statements: &written,
@@ -228,7 +249,7 @@ fn without_operations(
                 goals.push(Goal::of(&evaluated, symbols, part));
             }
             Err(reason) if part.is_empty() => {
-                let mut reduced = over_an_index(&statements, symbols, search, reason)?;
+                let mut reduced = over_an_index(&statements, symbols, proposals, reason)?;
                 reduced.lemmas.extend(lemmas);
                 return Ok(Some(reduced));
             }
@@ -274,6 +295,16 @@ pub fn reduced_by_cases(statements: &Statements, symbols: &Symbols) -> Option<Re
     })
 }
 
+/// What inequalities without sums come to by induction over one of their integers; None where they have none with a first value.
+pub fn by_induction(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
+    let written = written_out(statements, symbols).ok()?;
+    let goals = induction::of_inequalities(&written.by(Rule::InequalityInduction), symbols)?;
+    Some(Reduced {
+        sufficient: goals,
+        ..Reduced::default()
+    })
+}
+
 /// What a claim without operations about members of a sequence comes to, by the recurrence that gives it.
 pub fn along_a_sequence(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
     let written = written_out(statements, symbols).ok()?;
@@ -297,10 +328,10 @@ fn of_sequences(statements: &Statements, symbols: &Symbols) -> Result<Reduced, S
 fn over_an_index(
     statements: &Statements,
     symbols: &Symbols,
-    search: Antiderivatives,
+    proposals: &dyn Proposals,
     reason: String,
 ) -> Result<Reduced, String> {
-    if let Some(found) = integral::integrated(statements, symbols, search)? {
+    if let Some(found) = integral::integrated(statements, symbols, proposals)? {
         return of_integrated(found, symbols);
     }
     if integral::are_numbers(statements, symbols) {
@@ -319,7 +350,7 @@ fn over_an_index(
         Err(why) => (Vec::new(), why),
     };
     if necessary.is_empty() && sufficient.is_empty() {
-        let found = instances::with_integrals(statements, symbols, search);
+        let found = instances::with_integrals(statements, symbols, proposals);
         return found
             .map(|found| Reduced {
                 reason: reason.clone(),

@@ -46,6 +46,10 @@ pub enum Rule {
     SeriesInduction,
     /// Sums whose terms depend on their length by creative telescoping.
     SeriesTelescoping,
+    /// A sum to infinity by sums of a table and a limit.
+    SeriesInfinite,
+    /// What holds where a sum to infinity has a value is assumed.
+    SeriesConverges,
     /// A claim about a sequence by induction along its recurrence.
     SequenceInduction,
     /// Members of a sequence by the recurrence at numbers.
@@ -74,6 +78,10 @@ pub enum Rule {
     CauchySchwarz,
     /// An inequality by the signs of derivatives at and beyond a point, or by concavity.
     InequalityDerivatives,
+    /// An inequality with values between known bounds as letters.
+    InequalityBounds,
+    /// An inequality by induction over an integer.
+    InequalityInduction,
     /// A root or the value of an inverse function by the equation and the range that define it.
     InverseRange,
     /// The bases of powers whose exponents are no numbers are taken to be positive.
@@ -134,6 +142,8 @@ impl fmt::Display for Rule {
             Self::SeriesTerms => "sum: terms",
             Self::SeriesInduction => "sum: induction",
             Self::SeriesTelescoping => "sum: telescoping",
+            Self::SeriesInfinite => "sum: to infinity",
+            Self::SeriesConverges => "sum: converges",
             Self::SequenceInduction => "sequence: induction",
             Self::SequenceUnrolled => "sequence: unrolled",
             Self::SequenceInstances => "sequence: instances",
@@ -148,6 +158,8 @@ impl fmt::Display for Rule {
             Self::ComplexParts => "complex: parts",
             Self::CauchySchwarz => "modulus: Cauchy-Schwarz",
             Self::InequalityDerivatives => "inequality: signs of derivatives",
+            Self::InequalityBounds => "inequality: bounds",
+            Self::InequalityInduction => "inequality: induction",
             Self::InverseRange => "inverse: range",
             Self::PositiveBases => "powers: positive bases",
             Self::NonzeroBases => "powers: nonzero bases",

@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 use texmath::{Equation, Name, Operation, Series, Tree, mapped, rewrite};
 
 /// The highest degree of the factor of the terms, of the polynomials in the length, and the most parameters.
-const HIGHEST: i32 = 3;
-const HIGHEST_OF_LENGTH: i32 = 3;
+const HIGHEST: i32 = 4;
+const HIGHEST_OF_LENGTH: i32 = 4;
 const MOST_PARAMETERS: usize = 3;
 
 /// A prime, below 2^61, and how far the integers are from which numbers are drawn.
@@ -75,8 +75,9 @@ impl<'a> Sum<'a> {
         tidy(&rewrite(self.of, &put_in))
     }
 
-    /// The equations of the sum, where some are found; `now` and `next` stand for its values.
-    pub(super) fn telescoped(&self, now: &Name, next: &Name) -> Option<Telescoped> {
+    /// The equations of the sum, where some are found; `now` and `next` stand for its values, of which the next one has `step`
+    /// terms more.
+    pub(super) fn telescoped(&self, now: &Name, next: &Name, step: i64) -> Option<Telescoped> {
         let mut parameters = Vec::new();
         symbols(self.of, &mut |name| {
             if name != self.letter && name != self.index && !parameters.contains(name) {
@@ -111,7 +112,8 @@ impl<'a> Sum<'a> {
             difference(multiple_at(&more(index.clone())), multiple_at(&index)),
         );
         let last = more(self.to.clone());
-        let but_last = difference(at(next), self.term(&more(letter.clone()), &last));
+        let further = (1..=step).map(|j| self.term(&more(letter.clone()), &sum(vec![self.to.clone(), integer(j)])));
+        let but_last = difference(at(next), sum(further.collect()));
         let of_sums = Equation::between(
             sum(vec![
                 product(vec![next_factor.clone(), but_last]),
@@ -213,7 +215,7 @@ impl<'a> Sum<'a> {
 }
 
 /// The tree with the arguments of factorials and the exponents in it added up.
-fn tidy(tree: &Tree) -> Tree {
+pub(super) fn tidy(tree: &Tree) -> Tree {
     mapped(tree, &|node| match node {
         Tree::Call(name, argument, at) if name.base == FACTORIAL => {
             Some(Tree::Call(name.clone(), Box::new(factorial::added_up(argument)?), *at))
@@ -415,7 +417,7 @@ mod tests {
                 to: &to,
                 letter: &n,
             };
-            sum.telescoped(&plain("S"), &plain("N")).is_some()
+            sum.telescoped(&plain("S"), &plain("N"), 1).is_some()
         };
         assert!(of(&squared));
         assert!(!of(&Tree::RealPower(

@@ -10,7 +10,7 @@ mod linear;
 mod quartics;
 mod tangents;
 mod tower;
-mod tree;
+pub(crate) mod tree;
 mod waves;
 mod zeros;
 

@@ -3,11 +3,11 @@
 use numbers::{Field, Rational};
 use texmath::{At, Elementary, Name, Operation, Tree};
 
-pub(super) fn integer(value: i64) -> Tree {
+pub(crate) fn integer(value: i64) -> Tree {
     number(&Rational::from_integer(value))
 }
 
-pub(super) fn number(value: &Rational) -> Tree {
+pub(crate) fn number(value: &Rational) -> Tree {
     let zero = Rational::from_integer(0);
     match *value < zero {
         true => Tree::Negate(Box::new(Tree::Number(zero - value.clone()))),
@@ -15,7 +15,7 @@ pub(super) fn number(value: &Rational) -> Tree {
     }
 }
 
-pub(super) fn symbol(name: &Name) -> Tree {
+pub(crate) fn symbol(name: &Name) -> Tree {
     Tree::Symbol(name.clone(), At::default())
 }
 
@@ -23,7 +23,7 @@ fn is_number(tree: &Tree, value: i64) -> bool {
     matches!(tree, Tree::Number(number) if *number == Rational::from_integer(value))
 }
 
-pub(super) fn sum(terms: Vec<Tree>) -> Tree {
+pub(crate) fn sum(terms: Vec<Tree>) -> Tree {
     let mut terms: Vec<Tree> = terms.into_iter().filter(|term| !is_number(term, 0)).collect();
     match terms.len() {
         0 => integer(0),
@@ -33,7 +33,7 @@ pub(super) fn sum(terms: Vec<Tree>) -> Tree {
 }
 
 /// The product, with the signs of the factors before it.
-pub(super) fn product(factors: Vec<Tree>) -> Tree {
+pub(crate) fn product(factors: Vec<Tree>) -> Tree {
     if factors.iter().any(|factor| is_number(factor, 0)) {
         return integer(0);
     }
@@ -60,7 +60,7 @@ pub(super) fn product(factors: Vec<Tree>) -> Tree {
     if is_negative { negative(whole) } else { whole }
 }
 
-pub(super) fn negative(tree: Tree) -> Tree {
+pub(crate) fn negative(tree: Tree) -> Tree {
     match tree {
         Tree::Negate(inner) => *inner,
         tree if is_number(&tree, 0) => tree,
@@ -68,14 +68,14 @@ pub(super) fn negative(tree: Tree) -> Tree {
     }
 }
 
-pub(super) fn quotient(above: Tree, below: Tree) -> Tree {
+pub(crate) fn quotient(above: Tree, below: Tree) -> Tree {
     match is_number(&above, 0) || is_number(&below, 1) {
         true => above,
         false => Tree::Quotient(Box::new(above), Box::new(below), At::default()),
     }
 }
 
-pub(super) fn power(base: Tree, exponent: u32) -> Tree {
+pub(crate) fn power(base: Tree, exponent: u32) -> Tree {
     match exponent {
         0 => integer(1),
         1 => base,
@@ -87,23 +87,23 @@ pub(super) fn power(base: Tree, exponent: u32) -> Tree {
     }
 }
 
-pub(super) fn real_power(base: Tree, exponent: Tree) -> Tree {
+pub(crate) fn real_power(base: Tree, exponent: Tree) -> Tree {
     Tree::RealPower(Box::new(base), Box::new(exponent), At::default())
 }
 
-pub(super) fn root(radicand: Tree, index: u32) -> Tree {
+pub(crate) fn root(radicand: Tree, index: u32) -> Tree {
     match is_number(&radicand, 1) || is_number(&radicand, 0) {
         true => radicand,
         false => Tree::Root(Box::new(radicand), index, At::default()),
     }
 }
 
-pub(super) fn call(function: &str, argument: Tree) -> Tree {
+pub(crate) fn call(function: &str, argument: Tree) -> Tree {
     Tree::Call(Name::plain(function), Box::new(argument), At::default())
 }
 
 /// The value of a tree, with those of the letters; `None` where it holds what has no plain value.
-pub(super) fn value(tree: &Tree, letters: &dyn Fn(&Name) -> f64) -> Option<f64> {
+pub(crate) fn value(tree: &Tree, letters: &dyn Fn(&Name) -> f64) -> Option<f64> {
     let of = |tree: &Tree| value(tree, letters);
     Some(match tree {
         Tree::Number(number) => number.0.to_f64().value(),
