@@ -530,6 +530,19 @@ impl<'a> Approach<'a> {
 /// The most functions in a limit that oscillate.
 const MOST_WAVES: usize = 4;
 
+/// Returns a name in a tree that carries a letter as an index.
+fn carried(of: &Tree, by: &Name) -> Option<Name> {
+    let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
+    let mut found = None;
+    any(of, &mut |node| {
+        if let Tree::Symbol(name, _) = node {
+            found = found.take().or_else(|| is_carried(name).then(|| name.clone()));
+        }
+        found.is_some()
+    });
+    found
+}
+
 /// Returns the limit of a tree, where conditions hold that are likely.
 pub(super) fn of_limit(
     statements: &Statements,
@@ -540,15 +553,7 @@ pub(super) fn of_limit(
     likely: &[Equation],
 ) -> Result<Limit, String> {
     let of = rewrite(of, &|name| symbols.meaning(name, &|_| false));
-    let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
-    let mut moves = None;
-    any(&of, &mut |node| {
-        if let Tree::Symbol(name, _) = node {
-            moves = moves.take().or_else(|| is_carried(name).then(|| name.clone()));
-        }
-        moves.is_some()
-    });
-    if let Some(name) = moves {
+    if let Some(name) = carried(&of, by) {
         return Err(format!("`{name}` may move with `{by}`"));
     }
     let approach = Approach {

@@ -136,13 +136,18 @@ impl Germs<'_> {
         Ok(letter)
     }
 
+    /// Prepares a value of a function that is not known, where its argument has a limit.
+    fn prepared_unknown(&mut self, name: &Name, argument: &Tree) -> Found {
+        let argument = self.prepared(argument)?;
+        match self.limit(&argument)? {
+            End::Finite(_) => Ok(Tree::Call(name.clone(), Box::new(argument), At::default())),
+            End::Infinite(_) => Err(format!("`{name}` at infinity")),
+        }
+    }
+
     fn prepared_call(&mut self, name: &Name, argument: &Tree) -> Found {
         if self.symbols.is_function(name) {
-            let argument = self.prepared(argument)?;
-            return match self.limit(&argument)? {
-                End::Finite(_) => Ok(Tree::Call(name.clone(), Box::new(argument), At::default())),
-                End::Infinite(_) => Err(format!("`{name}` at infinity")),
-            };
+            return self.prepared_unknown(name, argument);
         }
         let function = Elementary::named(name).ok_or_else(|| format!("the series of `{name}`"))?;
         if let Some((above, below)) = function.quotient() {
