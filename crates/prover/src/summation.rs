@@ -26,6 +26,7 @@ pub fn summation(of: &Tree, index: &Name, _: &Symbols) -> Option<Proposal> {
         rows.extend(own.rows);
         telescoping.push(own.telescoping);
     }
+    rows.retain(|own: &Multiple| number_of(&own.factor) != Some(Rational::from_integer(0)));
     Some(Proposal {
         rows,
         telescoping: sum(telescoping),
@@ -158,8 +159,12 @@ impl<'a> Term<'a> {
             },
             tree if is_more(tree, self.index) => None,
             tree => {
-                let side = if is_below { &mut self.below } else { &mut self.above };
-                side.push(tree.clone());
+                let (above, below) = fractions::quotient_of(tree);
+                let (above, below) = if is_below { (below, above) } else { (above, below) };
+                self.above.push(above);
+                if number_of(&below) != Some(Rational::from_integer(1)) {
+                    self.below.push(below);
+                }
                 Some(())
             }
         }
@@ -351,6 +356,15 @@ impl<'a> Term<'a> {
             return None;
         }
         let constant = self.powers.shifted(0);
+        if let Some((factor, shift)) = fractions::balanced(&mut open) {
+            let factor = product(vec![constant.clone(), number(&factor)]);
+            rows.push(Multiple {
+                factor,
+                row: Row::Harmonic,
+                x: integer(1),
+                shift,
+            });
+        }
         let telescoping = fractions::telescoped(&open, self.index)?;
         Some(Proposal {
             rows,
@@ -436,13 +450,12 @@ mod tests {
     #[test]
     fn terms_are_found_in_the_table() {
         assert_eq!(rows(r"\frac{1}{3^k}"), Some(vec![Row::Geometric(0)]));
-        assert_eq!(
-            rows(r"(k + 1) x^k"),
-            Some(vec![Row::Geometric(0), Row::Geometric(1)].split_off(1))
-        );
+        assert_eq!(rows(r"(k + 1) x^k"), Some(vec![Row::Geometric(1)]));
         assert_eq!(rows(r"\frac{1}{(k + 1)^2}"), Some(vec![Row::Zeta(2)]));
         assert_eq!(rows(r"\frac{(-1)^k x^{2k + 1}}{2k + 1}"), Some(vec![Row::Arctangent]));
         assert_eq!(rows(r"\frac{1}{(k + 1)(k + 2)}"), Some(vec![]));
-        assert_eq!(rows(r"\frac{1}{k + 1}"), None);
+        assert_eq!(rows(r"\frac{1}{k + 1} - \frac{1}{k + 2}"), Some(vec![]));
+        assert_eq!(rows(r"\frac{1}{k + 1}"), Some(vec![Row::Harmonic]));
+        assert_eq!(rows(r"\frac{1}{(k + 1)^3}"), None);
     }
 }

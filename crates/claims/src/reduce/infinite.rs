@@ -15,8 +15,10 @@ use super::limit::of_limit;
 use super::table::Row;
 use super::telescope::tidy;
 use super::{Goal, Proposals, Rule, defined, factorial, fresh, is_spoken_of, rewritten, trees};
+use std::collections::BTreeSet;
 use texmath::{
-    Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, index_of, mapped, rewrite,
+    Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, index_of, mapped, number_of,
+    rewrite,
 };
 
 /// The most terms of a row that stand before its part in a sum.
@@ -193,6 +195,32 @@ struct Endless {
     symbols: Symbols,
 }
 
+/// Returns true if the sum of the terms of a proposal diverges, whatever the letters are: where one row alone has terms outside of the
+/// region where it converges, where these are a polynomial that is not 0 times powers, and where the harmonic series
+/// stands beside what converges.
+fn diverges(proposal: &Proposal) -> bool {
+    let is_nonzero = |own: &&Multiple| number_of(&own.factor).is_some_and(|factor| !is_zero(&Tree::Number(factor)));
+    let harmonic: Vec<&Multiple> = proposal.rows.iter().filter(|own| own.row == Row::Harmonic).collect();
+    if let [single] = harmonic.as_slice() {
+        let mut others = proposal.rows.iter().filter(|own| own.row != Row::Harmonic);
+        return is_nonzero(single) && others.all(|own| own.row.region(&own.x).is_empty());
+    }
+    let Some(first) = proposal.rows.first() else {
+        return false;
+    };
+    let orders: BTreeSet<i64> = proposal.rows.iter().filter_map(|own| own.row.order()).collect();
+    let is_one_kind = proposal.rows.len() == 1 || orders.len() == proposal.rows.len();
+    let is_outside = |own: &Equation| super::instances::relation_holds(own) == Some(false);
+    is_one_kind
+        && is_zero(&proposal.telescoping)
+        && proposal
+            .rows
+            .iter()
+            .all(|own| own.x == first.x && number_of(&own.factor).is_some())
+        && proposal.rows.iter().any(|own| is_nonzero(&own))
+        && first.row.region(&first.x).iter().any(is_outside)
+}
+
 impl Endless {
     fn read(node: &Tree, statements: &Statements, symbols: &Symbols) -> Result<Self, String> {
         let (of, index, from) = parts(node).ok_or("a product to infinity")?;
@@ -295,6 +323,7 @@ impl Endless {
         let next = telescoping(sum(vec![index.clone(), integer(1)]));
         let mut terms = vec![difference(next, telescoping(index.clone()))];
         let (mut value, mut regions): (Vec<Tree>, Vec<Equation>) = (Vec::new(), Vec::new());
+        let diverges = diverges(proposal);
         for Multiple { factor, row, x, shift } in &proposal.rows {
             let is_moved = mentions(factor, &self.index) || mentions(x, &self.index);
             if is_moved || *shift < row.first() || *shift > MOST_BEFORE {
@@ -302,6 +331,9 @@ impl Endless {
             }
             let there = sum(vec![index.clone(), integer(*shift)]);
             terms.push(product(vec![factor.clone(), tidy(&row.term(&there, x))]));
+            if diverges {
+                continue;
+            }
             let whole = row.value(x).ok_or("a sum that the table does not have")?;
             let before = (row.first()..*shift).map(|k| tidy(&row.term(&integer(k), x)));
             value.push(product(vec![factor.clone(), difference(whole, sum(before.collect()))]));
@@ -316,6 +348,13 @@ impl Endless {
         claims.push(Equation::between(self.of.clone(), right));
         self.at_each_index(claims, lemmas)?;
         lemmas.extend(self.lemmas_of(regions.clone()));
+        if diverges {
+            if !is_zero(&proposal.telescoping) {
+                self.limit(&proposal.telescoping, lemmas)?;
+            }
+            // what has no value is written as a quotient that has none
+            return Ok((super::build::quotient(integer(1), integer(0)), Vec::new()));
+        }
         let is_one = proposal
             .rows
             .iter()

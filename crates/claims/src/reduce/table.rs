@@ -30,6 +30,8 @@ pub enum Row {
     AreaTangent,
     /// `\binom{2k}{k} x^k` is `1/\sqrt{1 - 4x}` (DLMF 4.6.7 with the exponent -1/2).
     CentralBinomial,
+    /// `1/k`, of which the sum diverges (Apostol, Calculus, volume 1, section 10.5).
+    Harmonic,
     /// `1/k^p` with an even p (DLMF 25.6.1).
     Zeta(i64),
     /// `(-1)^{k+1}/k^p` with an even p (DLMF 25.2.3, 25.6.1).
@@ -66,8 +68,16 @@ impl Row {
     /// Returns the least index of the sum.
     pub fn first(self) -> i64 {
         match self {
-            Self::Logarithm | Self::Zeta(_) | Self::Alternating(_) => 1,
+            Self::Logarithm | Self::Harmonic | Self::Zeta(_) | Self::Alternating(_) => 1,
             _ => 0,
+        }
+    }
+
+    /// Returns the degree of the polynomial that powers are multiplied by; None where the terms are others.
+    pub(super) fn order(self) -> Option<i64> {
+        match self {
+            Self::Geometric(order) => Some(order),
+            _ => None,
         }
     }
 
@@ -101,6 +111,7 @@ impl Row {
                 let binomial = Operation::Binomial(even(), k());
                 product(vec![Tree::Operation(Box::new(binomial), At::default()), powers()])
             }
+            Self::Harmonic => quotient(integer(1), k()),
             Self::Zeta(p) => quotient(integer(1), whole_power(k(), p)),
             Self::Alternating(p) => quotient(sign(1), whole_power(k(), p)),
             Self::Odd(p) => quotient(integer(1), whole_power(odd(), p)),

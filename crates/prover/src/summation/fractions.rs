@@ -74,6 +74,35 @@ fn divided(above: &Polynomial, below: &Polynomial) -> Option<(Polynomial, Polyno
     Some((trimmed(out), rest))
 }
 
+/// The numerator and the denominator of a sum of quotients.
+pub(super) fn quotient_of(tree: &Tree) -> (Tree, Tree) {
+    match tree {
+        Tree::Negate(inner) => {
+            let (above, below) = quotient_of(inner);
+            (product(vec![integer(-1), above]), below)
+        }
+        Tree::Quotient(above, below, _) => {
+            let ((up, under), (over, down)) = (quotient_of(above), quotient_of(below));
+            (product(vec![up, down]), product(vec![under, over]))
+        }
+        Tree::Product(factors) => {
+            let (above, below) = factors.iter().map(quotient_of).unzip();
+            (product(above), product(below))
+        }
+        Tree::Sum(terms) => {
+            let terms = terms.iter().map(quotient_of);
+            terms.fold((integer(0), integer(1)), |(above, below), (up, down)| {
+                let over = sum(vec![
+                    product(vec![above, down.clone()]),
+                    product(vec![up, below.clone()]),
+                ]);
+                (over, product(vec![below, down]))
+            })
+        }
+        tree => (tree.clone(), integer(1)),
+    }
+}
+
 /// The polynomial that trees multiply to, by its values.
 fn polynomial(factors: &[Tree], index: &Name) -> Option<Polynomial> {
     factors
@@ -205,6 +234,25 @@ pub(super) fn telescoped(poles: &[Pole], index: &Name) -> Option<Tree> {
         }
     }
     Some(sum(terms))
+}
+
+/// Takes a multiple of the harmonic series out of poles, so that what is left of those at integers cancels far out: the
+/// factor, and the least shift. None where they cancel.
+pub(super) fn balanced(poles: &mut Vec<Pole>) -> Option<(Rational, i64)> {
+    let simple = poles.iter().filter(|pole| pole.order == 1);
+    let shifts = simple.filter_map(|pole| Some((pole.shift.to_integer()?, pole.factor.clone())));
+    let shifts: Vec<(i64, Rational)> = shifts.collect();
+    let least = shifts.iter().map(|(shift, _)| *shift).min()?;
+    let total = shifts.into_iter().fold(zero(), |total, (_, factor)| total + factor);
+    if total == zero() {
+        return None;
+    }
+    poles.push(Pole {
+        factor: zero() - total.clone(),
+        shift: Rational::from_integer(least),
+        order: 1,
+    });
+    Some((total, least))
 }
 
 /// A quotient over the factorial of `k + offset` as a polynomial over a later factorial: its numerator and the offset.
