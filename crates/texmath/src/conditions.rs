@@ -85,7 +85,7 @@ impl Reader<'_> {
             return Err(Fault::new(listed.first.unwrap_or(at), Reason::NoCondition));
         }
         let (from, said) = (conditions.len(), left.clone());
-        if self.peek_kind() == Some(Kind::To) {
+        if matches!(self.peek_kind(), Some(Kind::To(_))) {
             let to = self.approached()?;
             let right = Tree::Operation(Box::new(Operation::Approaches(to)), At(at));
             let mut condition = Equation::between(left, right);

@@ -329,7 +329,10 @@ impl<'a> Reader<'a> {
             return Err(self.instead_of("`_{x \\to a}`"));
         }
         let by = self.full_name()?;
-        let to = self.approached()?;
+        let mut to = self.approached()?;
+        if self.take(Kind::Comma).is_some() {
+            to = self.on_side(&by, to)?;
+        }
         self.close_brace(below)?;
         let of = *self.term()?.tree;
         self.rise();
@@ -339,12 +342,13 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// `\to a`, `\to 0^+`, `\to -\infty`.
+    /// `\to a`, `\to 0^+`, `\to a - 0`, `\downarrow a`, `\to -\infty`.
     pub(super) fn approached(&mut self) -> Result<Tree, Fault> {
         let at = self.here();
-        if self.take(Kind::To).is_none() {
+        let Some(Kind::To(given)) = self.peek_kind() else {
             return Err(self.instead_of("`\\to`"));
-        }
+        };
+        self.next += 1;
         let is_negative = self.peek_kind() == Some(Kind::Minus);
         let signed = usize::from(matches!(self.peek_kind(), Some(Kind::Minus | Kind::Plus)));
         if self.look(signed).is_some_and(|token| token.kind == Kind::Infinity) {
@@ -356,25 +360,82 @@ impl<'a> Reader<'a> {
                 infinity
             });
         }
-        let start = self.mark();
-        // a sign raised behind the number says from which side
-        let single = self.next;
+        let (target, side) = match self.sided() {
+            Some((length, mark, is_above)) => {
+                let target = self.within(length)?;
+                self.next += mark;
+                (target, Some(is_above))
+            }
+            None => (*self.sum()?, None),
+        };
+        Ok(match given.or(side) {
+            Some(is_above) => *boxed(Operation::OneSided(target, is_above), at),
+            None => target,
+        })
+    }
+
+    /// Reads the side that is said behind what is approached: `x > 0` behind `x \to 0`.
+    fn on_side(&mut self, by: &Name, to: Tree) -> Result<Tree, Fault> {
+        let at = self.here();
+        let wrong = |at| Fault::unexpected(at, "this", "the side on which the letter stays, as `x > a`");
+        let (name, relation) = (self.full_name()?, self.peek_kind());
         self.next += 1;
-        let raised = self.peek_kind() == Some(Kind::Sup);
-        let braced = usize::from(self.look(1).is_some_and(|token| token.kind == Kind::BraceOpen));
-        let sign = self.look(1 + braced).map(|token| token.kind);
-        if raised && matches!(sign, Some(Kind::Plus | Kind::Minus)) {
-            let value = self.tokens.get(single).copied();
-            let tree = match value.map(|token| (token.kind, token)) {
-                Some((Kind::Number, token)) => super::atom::value(token).map(Tree::Number)?,
-                Some((Kind::Letter, token)) => Tree::Symbol(Name::plain(token.text), At(token.at)),
-                _ => return Err(self.instead_of("a number or a letter")),
-            };
-            self.next += 2 + 2 * braced;
-            return Ok(*boxed(Operation::OneSided(tree, sign == Some(Kind::Plus)), at));
+        let is_same = name == *by && *self.sum()? == to;
+        let is_above = match relation {
+            Some(Kind::Relation(Relation::Greater)) => true,
+            Some(Kind::Relation(Relation::Less)) => false,
+            _ => return Err(wrong(at)),
+        };
+        match is_same {
+            true => Ok(*boxed(Operation::OneSided(to, is_above), at)),
+            false => Err(wrong(at)),
         }
-        self.reset(start);
-        self.sum().map(|tree| *tree)
+    }
+
+    /// Returns how many tokens are what is approached, how many say behind it from which side, and if this is from above: a raised
+    /// sign, a sign and 0, or a sign alone.
+    fn sided(&self) -> Option<(usize, usize, bool)> {
+        let rest = self.tokens.get(self.next..)?;
+        let mut depth = 0_usize;
+        let end = rest.iter().position(|token| {
+            match token.kind {
+                Kind::BraceOpen => depth += 1,
+                Kind::BraceClose if depth > 0 => depth -= 1,
+                Kind::BraceClose | Kind::Comma => return depth == 0,
+                _ => {}
+            }
+            false
+        });
+        let target = rest.get(..end.unwrap_or(rest.len()))?;
+        let kinds: Vec<Kind> = target.iter().map(|token| token.kind).collect();
+        let is_zero = target.last().is_some_and(|token| token.text == "0");
+        let (mark, sign) = match kinds.as_slice() {
+            [.., Kind::Sup, Kind::BraceOpen, sign, Kind::BraceClose] => (4, sign),
+            [.., Kind::Sup, sign] => (2, sign),
+            [.., sign, Kind::Number] if is_zero => (2, sign),
+            [.., sign] => (1, sign),
+            [] => return None,
+        };
+        let length = target.len().checked_sub(mark)?;
+        match sign {
+            Kind::Plus => Some((length, mark, true)),
+            Kind::Minus => Some((length, mark, false)),
+            _ => None,
+        }
+    }
+
+    /// Reads the next tokens, all of them, as a sum: 0 where there are none.
+    fn within(&mut self, length: usize) -> Result<Tree, Fault> {
+        if length == 0 {
+            return Ok(Tree::Number(Rational::from_integer(0)));
+        }
+        let behind = self.tokens.split_off((self.next + length).min(self.tokens.len()));
+        let read = self.sum().and_then(|tree| match self.peek() {
+            Some(token) => Err(Fault::unexpected(token.at, token.text, "the end of what is approached")),
+            None => Ok(*tree),
+        });
+        self.tokens.extend(behind);
+        read
     }
 
     /// Returns true if `O(` or `o(` stands next, and the letter is not declared.

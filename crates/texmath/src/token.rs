@@ -54,8 +54,8 @@ pub(super) enum Kind {
     Integral,
     /// `\lim`.
     Limit,
-    /// `\to`.
-    To,
+    /// `\to`; from above, true, for `\downarrow`, from below for `\uparrow`.
+    To(Option<bool>),
     Open(Bracket),
     Close(Bracket),
     BraceOpen,

@@ -272,7 +272,8 @@ impl<'a> Approach<'a> {
                 "premises speak of `{by}`: what depends on it there is not followed"
             ));
         }
-        if trees(statements).into_iter().any(|tree| symbols.may_be_complex(tree)) {
+        let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
+        if is_complex(&symbol(by)) || trees(statements).into_iter().any(is_complex) {
             return Err("limits of complex numbers are not read".to_owned());
         }
         if symbols.declares(&plain("\\pi")) {
@@ -433,6 +434,10 @@ impl<'a> Approach<'a> {
     /// Returns conditions that hold wherever the claims and what is written have a value.
     fn domain(&self, written: &[Tree]) -> Vec<Equation> {
         let mut found = Vec::new();
+        // a way of an equivalence is to be shown to have a value
+        if self.statements.is_way {
+            return found;
+        }
         let sides = self
             .statements
             .claims
@@ -672,6 +677,10 @@ fn of_order(
                 End::Infinite(_) => {}
             }
         }
+        // one that moves is not 0 where the ratio is followed
+        if !mentions(&order, by) {
+            needed.push(relation(order.clone(), Relation::NotEqual));
+        }
         let ratio = quotient(meant(&all), order);
         let (own, germs) = approach.followed(&ratio, side, &|germs, prepared| germs.unbounded(prepared, is_little))?;
         claims.extend(own.into_iter().map(|term| Equation {
@@ -691,7 +700,8 @@ fn of_order(
     if claims.is_empty() {
         claims.push(Equation::between(integer(0), integer(0)));
     }
-    let lemmas = approach.goals(needed, &written);
+    // the claim does not write the ratio, so that this may have no value where the claim has one
+    let lemmas = approach.goals(needed, &[claim.left.clone(), claim.right.clone()]);
     claims.extend(written.into_iter().map(has_value));
     Ok((claims, lemmas))
 }
