@@ -319,11 +319,9 @@ fn write_proofs(
         ),
         false => ("py", "scripts", "run each with Python"),
     };
-    let is_decided = |row: &&Row| {
-        matches!(
-            row.decision.verdict,
-            Verdict::Proved | Verdict::Refuted | Verdict::Conditional
-        )
+    let is_decided = |row: &&Row| match row.decision.verdict {
+        Verdict::Proved | Verdict::Refuted | Verdict::Conditional => true,
+        Verdict::Undecided | Verdict::Unread | Verdict::Given | Verdict::Suspect => false,
     };
     let rows: Vec<usize> = rows.iter().filter(is_decided).map(|row| row.position).collect();
     let names = prove::file_names(sheet, &rows);

@@ -1079,6 +1079,42 @@ fn what_follows_but_for_a_factor_of_a_premise_is_conditional() {
 }
 
 #[test]
+fn a_sum_to_infinity_is_taken_where_it_has_a_value() {
+    let decide = |tex: &str| decide("parameters = ['a', 'b', 'q', 'x']", tex);
+    let region = r"q > -1; q < 1; q \neq 0";
+    for (tex, provided) in [
+        (r"\sum_{k=0}^\infty q^k = \frac{1}{1-q}", region),
+        (r"\sum_{k=0}^\infty a q^k = \frac{a}{1-q}", region),
+        (r"\sum_{k=1}^\infty k q^{k-1} = \frac{1}{(1-q)^2}", region),
+    ] {
+        assert_eq!(decide(tex), (Verdict::Proved, provided.to_owned()), "{tex}");
+    }
+    // beyond the region all terms are 0 at one point, where the sum is 0
+    for tex in [
+        r"\sum_{k=0}^\infty (1-q) q^k = 1",
+        r"\sum_{k=0}^\infty (x-2) x^k < 0",
+        r"\sum_{k=0}^\infty \frac{x^2}{(1+x^2)^k} = 1 + x^2",
+        r"\sum_{k=0}^\infty (x-3)(x-\frac12) x^k = 0 \Rightarrow x = \frac12",
+        r"\sum_{k=0}^\infty (a-b) x^k = 0 \Rightarrow |x| < 1",
+    ] {
+        assert_eq!(decide(tex).0, Verdict::Refuted, "{tex}");
+    }
+    assert_eq!(decide(r"\sum_{k=1}^\infty (q^{k-1} - q^k) = 1").0, Verdict::Undecided);
+}
+
+#[test]
+fn sums_may_be_empty() {
+    let decide = |tex: &str| decide("parameters = ['a']\nintegers = ['n']", tex).0;
+    for tex in [
+        r"\sum_{k=1}^n 1 = n",
+        r"\sum_{k=1}^n a = n a",
+        r"\sum_{k=0}^{2n} 1 = 2n + 1",
+    ] {
+        assert_ne!(decide(tex), Verdict::Proved, "{tex}");
+    }
+}
+
+#[test]
 fn an_integral_is_taken_where_it_has_a_value() {
     let decide = |tex: &str| decide("parameters = ['a', 'N', '\\mu', 'p', 'q', 'T']", tex);
     for (tex, provided) in [

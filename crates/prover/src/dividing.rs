@@ -3,7 +3,7 @@
 use super::point::Wanted;
 use super::script::Found;
 use super::{Outcome, outcome, points, proof};
-use claims::{Goal, Premise, Question, Verdict, divisors};
+use claims::{Goal, Premise, Question, divisors};
 use kernel::Statement;
 use numbers::{Field, Rational};
 use texmath::{Condition, DoubtKind, Equation, Relation, Tree, any};
@@ -130,8 +130,8 @@ impl Search<'_> {
     /// What shows that the claim follows where a factor is not 0, fails at a point at which it is 0, and holds at another one.
     fn exception(&self, factor: &Tree) -> Option<Vec<Shown>> {
         let vanishes = || relation(factor, Relation::Equal);
-        let follows = self.shown(self.under([relation(factor, Relation::NotEqual)])?, Verdict::Proved)?;
-        let fails = self.shown(self.under([vanishes()])?, Verdict::Refuted)?;
+        let follows = self.shown(self.under([relation(factor, Relation::NotEqual)])?, true)?;
+        let fails = self.shown(self.under([vanishes()])?, false)?;
         let mut holding = self.goal.clone();
         let premises = holding.statements.claims.drain(..);
         let premises: Vec<Premise> = premises.map(|claim| Premise::known("the claim", claim)).collect();
@@ -142,15 +142,16 @@ impl Search<'_> {
         let questions = claims::questions(&holding.statements, &holding.symbols).ok()?;
         let holds = questions
             .into_iter()
-            .map(|question| self.shown((holding.clone(), question), Verdict::Proved));
+            .map(|question| self.shown((holding.clone(), question), true));
         let holds: Vec<Shown> = holds.collect::<Option<_>>()?;
         (!holds.is_empty()).then(|| [follows, fails].into_iter().chain(holds).collect())
     }
 
-    /// A question with what gives it a verdict.
-    fn shown(&self, (goal, question): (Goal, Question), wanted: Verdict) -> Option<Shown> {
-        let found = Found::of(outcome(&question.statement, self.effort)).filter(|found| found.verdict() == wanted)?;
-        Some((goal, question, found))
+    /// A question with what decides it, where it is proved, or else refuted.
+    fn shown(&self, (goal, question): (Goal, Question), is_proved: bool) -> Option<Shown> {
+        let found = Found::of(outcome(&question.statement, self.effort))?;
+        let is_one = matches!(found, Found::Proved { .. }) == is_proved;
+        is_one.then_some((goal, question, found))
     }
 }
 

@@ -342,6 +342,10 @@ impl<'a> Search<'a> {
     /// Decides a claim as one about letters that need not commute; nothing where it is not proved so.
     fn in_words(&mut self, sheet: &Sheet, position: usize) -> Option<Decision> {
         let (question, found, rules) = in_words(sheet, position)?;
+        // what its author says is claimed for empty sums too
+        if self.start.standing == Standing::Said && !question.provided.is_empty() {
+            return None;
+        }
         let proved = kernel::prove_in_words(&question, &found).ok()?;
         let mut decision = self.start.clone();
         decision.reason.clone_from(&self.reason);

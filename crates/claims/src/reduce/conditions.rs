@@ -65,6 +65,7 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
             statements.assume.push(Condition::Relation(condition));
         }
     }
+    further.sufficient.extend(goals.where_zero.iter().flatten().cloned());
     (!provided.is_empty()).then_some((further, provided))
 }
 

@@ -47,10 +47,33 @@ struct Value {
     tree: Tree,
     /// The claims that must hold for it to be that.
     lemmas: Vec<Goal>,
-    /// Those of these conditions without which the sum has no value.
-    converging: Vec<Equation>,
+    region: Region,
     /// What holds wherever the sum has a value.
     known: Vec<Equation>,
+}
+
+/// The region in which a sum to infinity converges.
+#[derive(Default)]
+struct Region {
+    conditions: Vec<Equation>,
+    /// Outside of it the sum has no value unless this is 0: then all of its terms are.
+    factor: Option<Tree>,
+}
+
+impl Proposal {
+    /// Returns the factor of a sum of one row, or of powers times a polynomial with numbers as coefficients.
+    fn factor(&self) -> Option<Tree> {
+        let first = self.rows.first().filter(|_| is_zero(&self.telescoping))?;
+        let is_number = |factor: &Tree| number_of(factor).is_some_and(|value| !value.0.is_zero());
+        let is_like = |own: &Multiple| {
+            matches!(own.row, Row::Geometric(_))
+                && own.x == first.x
+                && own.shift == first.shift
+                && is_number(&own.factor)
+        };
+        let are_powers = self.rows.iter().all(is_like);
+        (self.rows.len() == 1 || are_powers).then(|| first.factor.clone())
+    }
 }
 
 /// The statements without sums to infinity.
@@ -58,6 +81,8 @@ pub(super) struct Summed {
     pub statements: Statements,
     pub lemmas: Vec<Goal>,
     pub converging: Vec<Equation>,
+    /// The statements where the terms of a sum that need these conditions are 0, which decide the claim there.
+    pub where_zero: Option<Statements>,
 }
 
 /// The term of a sum to infinity, its index and where it starts.
@@ -140,29 +165,58 @@ pub(super) fn summed(
     for tree in trees(statements) {
         outermost(tree, &mut all)?;
     }
-    let (mut values, mut lemmas, mut converging) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut values, mut lemmas, mut known) = (Vec::new(), Vec::new(), Vec::new());
+    let mut regions: Vec<(Tree, Region)> = Vec::new();
     let plain = without_sums(statements);
-    let mut known = Vec::new();
     for node in all {
         let value = Endless::read(&node, &plain, symbols)?.value(proposals)?;
         lemmas.extend(value.lemmas);
-        converging.extend(value.converging);
         known.extend(value.known);
+        if !value.region.conditions.is_empty() {
+            regions.push((node.clone(), value.region));
+        }
         values.push((node, value.tree));
     }
     // a way of an equivalence is to be shown to have a value
     if statements.is_way {
         known.clear();
     }
-    let mut statements = rewritten(statements, Rule::SeriesInfinite, &|tree| replaced(tree, &values));
-    assume(&mut statements, &known);
+    let with = |values: &[(Tree, Tree)]| {
+        let mut own = rewritten(statements, Rule::SeriesInfinite, &|tree| replaced(tree, values));
+        assume(&mut own, &known);
+        own
+    };
+    let (mut converging, mut where_zero) = (Vec::new(), None);
+    // of several sums one may be 0 where another has no value
+    if let [
+        (
+            node,
+            Region {
+                conditions,
+                factor: Some(factor),
+            },
+        ),
+    ] = regions.as_slice()
+    {
+        converging.clone_from(conditions);
+        if number_of(factor).is_none() {
+            let zero = |(other, value): &(Tree, Tree)| {
+                let value = if other == node { integer(0) } else { value.clone() };
+                (other.clone(), value)
+            };
+            let mut there = with(&values.iter().map(zero).collect::<Vec<_>>());
+            assume(&mut there, &[Equation::between(factor.clone(), integer(0))]);
+            where_zero = Some(there);
+        }
+    }
     for lemma in &mut lemmas {
         assume(&mut lemma.statements, &known);
     }
     Ok(Some(Summed {
-        statements,
+        statements: with(&values),
         lemmas,
         converging,
+        where_zero,
     }))
 }
 
@@ -290,14 +344,14 @@ impl Endless {
         self.at_each_index(defined::conditions(&self.of, &self.symbols)?, &mut lemmas)?;
         let proposal = proposals.summation(&self.of, &self.index, &self.symbols);
         let proposal = proposal.ok_or("no closed form of a sum to infinity is found")?;
-        let (tree, converging) = self.by(&proposal, &mut lemmas)?;
+        let (tree, region) = self.by(&proposal, &mut lemmas)?;
         for lemma in &mut lemmas {
             assume(&mut lemma.statements, &known);
         }
         Ok(Value {
             tree,
             lemmas,
-            converging,
+            region,
             known,
         })
     }
@@ -312,8 +366,8 @@ impl Endless {
         claims.into_iter().map(goal).collect()
     }
 
-    /// The value by a proposal, and the conditions without which there is none.
-    fn by(&self, proposal: &Proposal, lemmas: &mut Vec<Goal>) -> Result<(Tree, Vec<Equation>), String> {
+    /// The value by a proposal, and where it is one.
+    fn by(&self, proposal: &Proposal, lemmas: &mut Vec<Goal>) -> Result<(Tree, Region), String> {
         let index = symbol(&self.index);
         let telescoping = |at: Tree| {
             tidy(&rewrite(&proposal.telescoping, &|name| {
@@ -353,19 +407,20 @@ impl Endless {
                 self.limit(&proposal.telescoping, lemmas)?;
             }
             // what has no value is written as a quotient that has none
-            return Ok((super::build::quotient(integer(1), integer(0)), Vec::new()));
+            return Ok((super::build::quotient(integer(1), integer(0)), Region::default()));
         }
-        let is_one = proposal
-            .rows
-            .iter()
-            .all(|own| Some(&own.x) == proposal.rows.first().map(|own| &own.x));
         if !is_zero(&proposal.telescoping) {
             value.push(self.limit(&proposal.telescoping, lemmas)?);
             value.push(super::build::negative(telescoping(integer(0))));
         }
-        regions.retain(|_| is_one);
         regions.retain(|condition| super::instances::relation_holds(condition) != Some(true));
-        Ok((sum(value), regions))
+        Ok((
+            sum(value),
+            Region {
+                factor: proposal.factor().filter(|_| !regions.is_empty()),
+                conditions: regions,
+            },
+        ))
     }
 
     /// The limit of a function of the index, which that of the function of a real number is.

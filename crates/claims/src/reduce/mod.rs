@@ -102,6 +102,8 @@ pub struct Reduced {
     pub necessary: Vec<Goal>,
     /// Conditions, shown by lemmas, without which an integral has no value.
     pub converging: Vec<Equation>,
+    /// Goals for where a factor of all terms of a sum is 0, so that it has a value without these conditions.
+    pub where_zero: Option<Vec<Goal>>,
     /// Why nothing is sufficient.
     pub reason: String,
 }
@@ -209,6 +211,13 @@ fn without_operations(
         };
         reduced.lemmas.extend(summed.lemmas);
         reduced.converging.extend(summed.converging);
+        if let Some(there) = summed.where_zero {
+            reduced.where_zero = Some(match without_operations(&there, symbols, proposals)? {
+                Some(reduced) if reduced.is_equivalent && reduced.lemmas.is_empty() => reduced.sufficient,
+                Some(_) => return Err("a sum whose terms may all be 0".to_owned()),
+                None => vec![Goal::of(&there, symbols, String::new())],
+            });
+        }
         return Ok(Some(reduced));
     }
     let (written, mut lemmas) = roots::as_powers(&written, symbols)?;
