@@ -35,15 +35,15 @@ fn holds(text: &str, [all, sampled]: [usize; 2]) {
 
 #[test]
 fn no_integral_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/integrals.toml"), [168, 36]);
+    holds(include_str!("../textbook/integrals.toml"), [234, 65]);
 }
 
 #[test]
 fn no_limit_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/limits.toml"), [115, 39]);
+    holds(include_str!("../textbook/limits.toml"), [157, 52]);
 }
 
 #[test]
 fn no_sum_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/sums.toml"), [100, 16]);
+    holds(include_str!("../textbook/sums.toml"), [151, 47]);
 }
