@@ -51,7 +51,7 @@ pub struct Statements {
     pub last: Option<i32>,
     /// Whether the claim holds at every time of a flight.
     pub claim_runs: bool,
-    /// Whether the claim is a way of an equivalence, which must have a value wherever the other side holds.
+    /// True for a way of an equivalence, which must have a value wherever the other side holds.
     pub is_way: bool,
     /// Whether anything is said of partial derivatives, traces or determinants.
     pub speaks_of_maps: bool,

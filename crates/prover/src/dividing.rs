@@ -22,7 +22,7 @@ pub(super) struct Division {
 /// A condition, that a factor is not 0, under which a claim follows; without it, it fails at some points and holds at others.
 pub(super) struct Exception {
     pub(super) condition: Equation,
-    /// What shows this: that it follows, where it fails, and where it holds.
+    /// A proof under the condition, and outside it a point at which the claim fails and a proof that it holds at one.
     pub(super) shown: Vec<Shown>,
 }
 
@@ -127,7 +127,7 @@ impl Search<'_> {
             && self.without(std::slice::from_ref(divisor)).is_some_and(is_undecided)
     }
 
-    /// What shows that the claim follows where a factor is not 0, fails at a point at which it is 0, and holds at another one.
+    /// Shows that the claim follows where a factor is not 0, fails at a point at which it is 0, and holds at another one.
     fn exception(&self, factor: &Tree) -> Option<Vec<Shown>> {
         let vanishes = || relation(factor, Relation::Equal);
         let follows = self.shown(self.under([relation(factor, Relation::NotEqual)])?, true)?;

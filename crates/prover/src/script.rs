@@ -47,7 +47,7 @@ pub enum Found {
 }
 
 impl Found {
-    /// What decides a question, of what came of it.
+    /// Returns the proof or the counterexample of an outcome.
     pub(super) fn of(outcome: Outcome) -> Option<Self> {
         match outcome {
             Outcome::Proved(_, certificate, point) => Some(Self::Proved { certificate, point }),
@@ -73,7 +73,7 @@ pub struct Decided {
     pub question: Question,
     pub found: Found,
     pub(super) goal: Goal,
-    /// Whether it is one of the questions that show a claim to be `conditional`.
+    /// True for one of the questions that show a claim to be `conditional`.
     pub(super) of_exception: bool,
 }
 

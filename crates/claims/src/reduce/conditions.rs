@@ -65,7 +65,7 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
             statements.assume.push(Condition::Relation(condition));
         }
     }
-    further.sufficient.extend(goals.where_zero.iter().flatten().cloned());
+    further.sufficient.extend(goals.where_zero.iter().cloned());
     (!provided.is_empty()).then_some((further, provided))
 }
 

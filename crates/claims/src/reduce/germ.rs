@@ -1,8 +1,8 @@
 //! Functions of a letter that grows without bound, compared by how fast they grow: limits by the algorithm of Gruntz
 //! (On Computing Limits in a Symbolic Manipulation System, ETH thesis 1996, chapter 3).
 //!
-//! What varies most rapidly is written with one small quantity; the coefficients of a series in it vary less, and the first one goes
-//! on. What vanishes and which sign the rest has is guessed at numbers, and each guess is a condition for others to show.
+//! One small quantity stands for all that varies most rapidly; the coefficients of a series in it vary less, and the first of them is
+//! followed in turn. Zeros and signs of coefficients are guessed at numbers, and each guess is a condition that a lemma shows.
 
 use super::build::{call, integer, negative, quotient, real_power, symbol};
 use super::derivative::{By, mentions};

@@ -3,7 +3,7 @@
 //! n - 1 are those of the rows, and `G(n) - G(0)`. So the sum is `\sum_j c_j (S_j - \sum_{k < s_j} T_j(k))`, and the limit
 //! of `G` less `G(0)`, where each row converges and `G` has a limit.
 //!
-//! What is proposed rests on nothing: the equation between the terms, that all of it has a value at each index, the
+//! Nothing is taken on trust from a proposal: the equation between the terms, that all of it has a value at each index, the
 //! conditions under which the rows converge and what the limit needs are lemmas.
 
 use super::super::premise::Statements;
@@ -48,7 +48,7 @@ struct Value {
     /// The claims that must hold for it to be that.
     lemmas: Vec<Goal>,
     region: Region,
-    /// What holds wherever the sum has a value.
+    /// Conditions that hold wherever the sum has a value.
     known: Vec<Equation>,
 }
 
@@ -244,7 +244,7 @@ fn without_sums(statements: &Statements) -> Statements {
 struct Endless {
     of: Tree,
     index: Name,
-    /// What is given where the index is an integer from 0 on.
+    /// The statements with the index as an integer from 0 on.
     within: Statements,
     symbols: Symbols,
 }

@@ -103,7 +103,7 @@ pub struct Reduced {
     /// Conditions, shown by lemmas, without which an integral has no value.
     pub converging: Vec<Equation>,
     /// Goals for where a factor of all terms of a sum is 0, so that it has a value without these conditions.
-    pub where_zero: Option<Vec<Goal>>,
+    pub where_zero: Vec<Goal>,
     /// Why nothing is sufficient.
     pub reason: String,
 }
@@ -212,11 +212,11 @@ fn without_operations(
         reduced.lemmas.extend(summed.lemmas);
         reduced.converging.extend(summed.converging);
         if let Some(there) = summed.where_zero {
-            reduced.where_zero = Some(match without_operations(&there, symbols, proposals)? {
+            reduced.where_zero = match without_operations(&there, symbols, proposals)? {
                 Some(reduced) if reduced.is_equivalent && reduced.lemmas.is_empty() => reduced.sufficient,
                 Some(_) => return Err("a sum whose terms may all be 0".to_owned()),
                 None => vec![Goal::of(&there, symbols, String::new())],
-            });
+            };
         }
         return Ok(Some(reduced));
     }
@@ -304,7 +304,7 @@ pub fn reduced_by_cases(statements: &Statements, symbols: &Symbols) -> Option<Re
     })
 }
 
-/// What inequalities without sums come to by induction over one of their integers; None where they have none with a first value.
+/// Reduces inequalities without sums by induction over one of their integers; None where no integer has a first value.
 pub fn by_induction(statements: &Statements, symbols: &Symbols) -> Option<Reduced> {
     let written = written_out(statements, symbols).ok()?;
     let goals = induction::of_inequalities(&written.by(Rule::InequalityInduction), symbols)?;
@@ -375,8 +375,8 @@ fn over_an_index(
     })
 }
 
-/// What a claim without its integrals comes to: factorials of letters are positive quantities of which the recurrence is known, which
-/// is enough to prove it, and small numbers refute it.
+/// Reduces a claim whose integrals have been replaced by values. Factorials of letters are positive quantities with a known
+/// recurrence, which is enough to prove the claim; small numbers refute it.
 fn of_integrated(found: integral::Integrated, symbols: &Symbols) -> Result<Reduced, String> {
     let has_factorials = trees(&found.statements).into_iter().any(factorial::stands_in);
     if !has_factorials || evaluate::evaluated(&found.statements, symbols).is_ok() {

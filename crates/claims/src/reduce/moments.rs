@@ -273,7 +273,7 @@ pub(super) struct Moments {
     pub value: Tree,
     /// The sum that the integrand must be.
     pub sum: Tree,
-    /// What else must hold.
+    /// Conditions for the value, besides that the integrand is the sum.
     pub needed: Vec<Equation>,
 }
 

@@ -48,7 +48,7 @@ pub enum Rule {
     SeriesTelescoping,
     /// A sum to infinity by sums of a table and a limit.
     SeriesInfinite,
-    /// What holds where a sum to infinity has a value is assumed.
+    /// The region in which a sum to infinity converges is assumed.
     SeriesConverges,
     /// A claim about a sequence by induction along its recurrence.
     SequenceInduction,

@@ -64,11 +64,11 @@ fn whole_radicand(node: &Tree) -> Option<Tree> {
     Some(product(whole))
 }
 
-/// What must hold for a claim to have a value, each with the goal that it does where what is given holds. Functions that are not
-/// elementary have a value at each number.
+/// Conditions for a claim to have a value, each with the goal that it holds where the premises and assumptions do. Functions that
+/// are not elementary have a value at each number.
 ///
 /// # Errors
-/// What has a value where that is not known.
+/// Names a part of the claim of which it is not known where it has a value.
 pub fn values(goal: &Goal) -> Result<Vec<(Equation, Goal)>, String> {
     let Goal {
         statements, symbols, ..

@@ -15,7 +15,7 @@ const MOST: usize = 24;
 /// Beyond this, an infinite end is not looked at.
 const FAR: f64 = 60.0;
 
-/// How far a zero may be from the number that it is written as.
+/// The largest distance of a zero from the number that it is written as.
 const CLOSE: f64 = 1e-11;
 
 /// The zeros of a tree between two numbers, in ascending order.

@@ -81,7 +81,7 @@ impl Monomial {
         self.others.push((base.clone(), signed(slope), signed(offset)));
     }
 
-    /// What the powers grow by from an index to the next.
+    /// Returns the factor of the powers from an index to the next.
     pub(super) fn step(&self) -> Tree {
         let powers = self.powers.iter().map(|(base, slope, _)| to_power(base, *slope));
         let others = self
