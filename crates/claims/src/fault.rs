@@ -40,7 +40,7 @@ impl<'a> Text<'a> {
 }
 
 /// A piece of TeX and where in the file it starts.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Source {
     pub tex: String,
     /// The file, where it is not the one that is read but one that it includes.

@@ -15,7 +15,7 @@ use texmath::{
 };
 
 /// One equation that is taken as true.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Premise {
     pub label: String,
     pub equation: Equation,
@@ -35,7 +35,7 @@ pub struct Premise {
 const MOST_FLIGHTS: i32 = 6;
 
 /// All that bears on one claim.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Statements {
     /// Each premise once, at the impacts that it names itself.
     pub premises: Vec<Premise>,

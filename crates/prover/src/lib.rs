@@ -52,7 +52,7 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Verdict, by_induction, other_ways,
+    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict, by_induction, other_ways,
     reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
 };
 use std::cell::Cell;
@@ -244,6 +244,16 @@ struct Search<'a> {
     kept: Option<Vec<Decided>>,
     /// True if the claim has lemmas, and all of those of the last goals were shown: other ones would bring the same goals.
     are_lemmas_shown: bool,
+    /// The goals that were met: several ways to decide the claim ask for the same.
+    met: Vec<Met>,
+}
+
+/// A goal with its decision and with what is kept of it.
+struct Met {
+    statements: Statements,
+    symbols: Symbols,
+    decision: Decision,
+    kept: Vec<Decided>,
 }
 
 impl<'a> Search<'a> {
@@ -258,6 +268,7 @@ impl<'a> Search<'a> {
             options,
             kept: None,
             are_lemmas_shown: false,
+            met: Vec::new(),
         }
     }
 
@@ -635,8 +646,28 @@ impl<'a> Search<'a> {
         Some(shown)
     }
 
-    /// Decides one goal of a claim.
+    /// Decides one goal of a claim, once.
     fn settled(&mut self, goal: &Goal) -> Decision {
+        let is_it = |met: &&Met| met.statements == goal.statements && met.symbols == goal.symbols;
+        if let Some(met) = self.met.iter().find(is_it) {
+            if let Some(kept) = &mut self.kept {
+                kept.extend(met.kept.iter().cloned());
+            }
+            return met.decision.clone();
+        }
+        let known = self.known();
+        let decision = self.searched(goal);
+        self.met.push(Met {
+            statements: goal.statements.clone(),
+            symbols: goal.symbols.clone(),
+            decision: decision.clone(),
+            kept: self.kept.iter().flat_map(|kept| kept.iter().skip(known)).cloned().collect(),
+        });
+        decision
+    }
+
+    /// Decides one goal of a claim by a search.
+    fn searched(&mut self, goal: &Goal) -> Decision {
         let mut decision = self.start.clone();
         let questions = match claims::questions(&goal.statements, &goal.symbols) {
             Ok(questions) => questions,

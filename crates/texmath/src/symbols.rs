@@ -50,7 +50,7 @@ pub enum Meaning {
 }
 
 /// The table of what each name stands for that needs no premise.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Symbols {
     /// The declarations, in order.
     declared: Vec<(Name, Meaning)>,

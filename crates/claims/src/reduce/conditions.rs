@@ -5,7 +5,7 @@
 
 use super::build::integer;
 use super::cases::is_absolute;
-use super::{Reduced, Rule, trees};
+use super::{Goal, Reduced, Rule, trees};
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, names_in, number_of, speaks_of};
@@ -20,7 +20,11 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
         if !provided.contains(&printed) {
             provided.push(printed);
         }
-        for goal in further.sufficient.iter_mut().chain(&mut further.lemmas) {
+        // what shows that a sum has no value outside of its region must hold there
+        let states_it = |goal: &Goal| goal.statements.claims.iter().all(|claim| goals.converging.contains(claim));
+        let is_of_region = |goal: &&mut Goal| !goal.statements.rules.contains(&Rule::SeriesInfinite) || states_it(goal);
+        let lemmas = further.lemmas.iter_mut().filter(is_of_region);
+        for goal in further.sufficient.iter_mut().chain(lemmas) {
             goal.statements.assume.push(Condition::Relation(condition.clone()));
             goal.statements
                 .rules

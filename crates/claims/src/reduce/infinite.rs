@@ -506,6 +506,25 @@ mod tests {
     }
 
     #[test]
+    fn terms_are_compared_at_letters_outside_of_the_region_too() {
+        let found = powers(&multiple(integer(1), 0)).unwrap();
+        let goals = super::super::Reduced {
+            lemmas: found.lemmas,
+            converging: found.converging,
+            ..Default::default()
+        };
+        let (further, _) = super::super::under_conditions(&goals).unwrap();
+        let is_assumed = |goal: &Goal| {
+            let assumed = |claim: &Equation| goal.statements.assume.contains(&Condition::Relation(claim.clone()));
+            goals.converging.iter().all(assumed)
+        };
+        for goal in &further.lemmas {
+            let states_it = goals.converging.contains(&goal.statements.claims[0]);
+            assert_eq!(is_assumed(goal), states_it, "{}", goal.part);
+        }
+    }
+
+    #[test]
     fn a_factor_that_moves_and_a_row_that_begins_too_early_are_no_proposals() {
         assert!(powers(&multiple(integer(1), -1)).is_err());
         assert!(
