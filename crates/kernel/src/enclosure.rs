@@ -6,32 +6,46 @@ use dashu_int::ops::BitTest;
 use dashu_ratio::RBig;
 use num_traits::{One, Zero};
 use numbers::{Analytic, Endpoint, Field, Interval, Rational, Wide};
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 /// The digits tried, one after the other, until a sign is certain.
 type First = Interval<Wide<40>>;
-type Second = Interval<Wide<150>>;
 
-/// The sign of a polynomial without symbols: 1 or -1, where an enclosure shows it.
-pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
-    let certain = |positive: bool, negative: bool| match (positive, negative) {
+/// The most terms of a polynomial whose sign is looked for.
+const LARGEST: usize = 2000;
+
+fn sign_of<E: Endpoint>(value: &Interval<E>) -> Option<i8> {
+    match (value.is_positive(), value.is_negative()) {
         (true, _) => Some(1),
         (_, true) => Some(-1),
         _ => None,
-    };
+    }
+}
+
+/// The sign of a term without symbols over the real numbers: 1 or -1, where an enclosure shows it.
+pub fn term_sign(terms: &Terms, term: Term) -> Option<i8> {
+    terms.is_closed(term).then_some(())?;
+    let first: First = term_value(terms, term, &mut HashMap::new())?;
+    sign_of(&first).or_else(|| sign_of(&term_value::<Wide<150>>(terms, term, &mut HashMap::new())?))
+}
+
+/// The sign of a polynomial without symbols: 1 or -1, where an enclosure shows it.
+pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
     if let Some(value) = polynomial.as_constant() {
         let zero = Rational::zero();
-        return certain(value > zero, value < zero);
+        return match value.cmp(&zero) {
+            Ordering::Equal => None,
+            Ordering::Greater => Some(1),
+            Ordering::Less => Some(-1),
+        };
     }
-    if polynomial.generators().iter().any(|&term| !terms.is_closed(term)) {
+    if polynomial.terms().len() > LARGEST || polynomial.generators().iter().any(|&term| !terms.is_closed(term)) {
         return None;
     }
     let first: Option<First> = enclose(terms, polynomial);
-    let found = first.and_then(|value| certain(value.is_positive(), value.is_negative()));
-    found.or_else(|| {
-        let second: Second = enclose(terms, polynomial)?;
-        certain(second.is_positive(), second.is_negative())
-    })
+    let found = first.and_then(|value| sign_of(&value));
+    found.or_else(|| sign_of(&enclose::<Wide<150>>(terms, polynomial)?))
 }
 
 /// An enclosure of a polynomial whose generators have values; `None` where one has none for certain.
@@ -76,6 +90,9 @@ pub fn term_value<E: Endpoint>(
     term: Term,
     known: &mut HashMap<Term, Interval<E>>,
 ) -> Option<Interval<E>> {
+    if let Some(value) = known.get(&term) {
+        return Some(value.clone());
+    }
     // rounding would take the root of 1 - 1, and the arc sine of 1, out of their domains
     let mut exactly: HashMap<Term, RBig> = HashMap::new();
     for inner in terms.inside(term) {
