@@ -353,7 +353,8 @@ fn over_an_index(
     if sequences::is_spoken_of(statements, symbols) {
         return of_sequences(statements, symbols);
     }
-    let necessary = instances::of(statements, symbols);
+    let mut necessary = instances::of(statements, symbols);
+    necessary.extend(instances::of_integrals(statements, symbols));
     let (sufficient, why) = match induction::goals(statements, symbols) {
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),
