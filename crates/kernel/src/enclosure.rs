@@ -50,7 +50,15 @@ pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
 
 /// An enclosure of a polynomial whose generators have values; `None` where one has none for certain.
 pub fn enclose<E: Endpoint>(terms: &Terms, polynomial: &Polynomial) -> Option<Interval<E>> {
-    let mut known = HashMap::new();
+    enclose_with(terms, polynomial, HashMap::new())
+}
+
+/// An enclosure of a polynomial over all values of the terms that are known; `None` where it may have none.
+pub(super) fn enclose_with<E: Endpoint>(
+    terms: &Terms,
+    polynomial: &Polynomial,
+    mut known: HashMap<Term, Interval<E>>,
+) -> Option<Interval<E>> {
     let mut sum = Interval::<E>::zero();
     for (monomial, coefficient) in polynomial.terms() {
         let mut product = rational(&Rational(coefficient.clone()))?;

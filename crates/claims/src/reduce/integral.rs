@@ -686,13 +686,17 @@ impl Definite<'_> {
         both.by_antiderivative(&whole, lemmas).map(Some)
     }
 
-    /// The integral by an antiderivative on each piece between places at which it has no value. Within a piece the integrand is
+    /// The integral by an antiderivative on each piece between places at which it has no value or no slope. Within a piece the integrand is
     /// continuous and its slope; it is continuous up to an end, or has a limit there.
     fn by_antiderivative(&self, whole: &Tree, lemmas: Vec<Goal>) -> Result<Value, String> {
         if nodes_of(whole) > LARGEST {
             return Err("the value of an integral is too large".to_owned());
         }
-        let divisors = self.conditions(&[whole])?.into_iter();
+        let by = By {
+            symbols: self.symbols,
+            name: self.letter,
+        };
+        let divisors = self.conditions(&[whole, &by.of(whole)?])?.into_iter();
         let divisors =
             divisors.filter(|own| own.relation != Relation::GreaterOrEqual && mentions(&own.left, self.letter));
         let divisors: Vec<Tree> = divisors.map(|own| difference(own.left, own.right)).collect();
