@@ -375,14 +375,15 @@ fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Int
             of.sqrt()
         }
         Elementary::Root(index) => {
-            let root = |of: &Interval<E>| exp(&(ln(of) / Interval::from_integer(i64::from(index))));
-            if of.is_positive() {
-                root(of)
-            } else if of.is_negative() && index % 2 == 1 {
-                -root(&-of.clone())
-            } else {
-                return None;
-            }
+            let positive = |of: &Interval<E>| exp(&(ln(of) / Interval::from_integer(i64::from(index))));
+            let root = |end: E| match Interval::point(end) {
+                end if end.is_positive() => Some(positive(&end)),
+                end if end.is_negative() && index % 2 == 1 => Some(-positive(&-end)),
+                end if end.is_zero() => Some(end),
+                _ => None,
+            };
+            // it grows with what it is of
+            Interval::new(root(of.low())?.low(), root(of.high())?.high())
         }
         Elementary::Arcsin | Elementary::Arccos => {
             (of.low() >= -E::one() && of.high() <= E::one()).then_some(())?;
