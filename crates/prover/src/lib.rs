@@ -833,6 +833,10 @@ impl Proposals for Ways<'_> {
         integration::zeros(of, by, between)
     }
 
+    fn telescoping(&self, term: &Tree, index: &Name, _: &Symbols) -> Option<Tree> {
+        summation::telescoping(term, index)
+    }
+
     fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
         summation::summation(term, index, symbols)
     }

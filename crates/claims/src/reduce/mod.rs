@@ -14,6 +14,7 @@ mod derivative;
 mod divisors;
 mod evaluate;
 mod factorial;
+mod finite;
 mod gaussian;
 mod germ;
 mod induction;
@@ -67,6 +68,11 @@ pub trait Proposals {
     /// Returns numbers between two others, in ascending order, at which a tree in one letter is 0.
     fn zeros(&self, _of: &Tree, _by: &Name, _between: [&Tree; 2]) -> Vec<Tree> {
         Vec::new()
+    }
+
+    /// Returns a function of an index whose differences are the terms of a sum.
+    fn telescoping(&self, _term: &Tree, _index: &Name, _symbols: &Symbols) -> Option<Tree> {
+        None
     }
 
     /// Returns the terms of a sum to infinity as those of known sums and differences; its index runs from 0 on.
@@ -220,7 +226,12 @@ fn without_operations(
         }
         return Ok(Some(reduced));
     }
+    let (written, closed) = match finite::closed(&written, symbols, proposals) {
+        Some(closed) => (closed.statements, closed.lemmas),
+        None => (written, Vec::new()),
+    };
     let (written, mut lemmas) = roots::as_powers(&written, symbols)?;
+    lemmas.extend(closed);
     let laws = law::Laws {
         statements: &written,
         symbols,
