@@ -9,8 +9,8 @@ use numbers::{Analytic, Endpoint, Field, Interval, Rational, Wide};
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-/// The digits tried, one after the other, until a sign is certain.
-type First = Interval<Wide<40>>;
+/// The largest integer up to which all are machine numbers.
+const EXACT: i64 = 1 << 53;
 
 /// The most terms of a polynomial whose sign is looked for.
 const LARGEST: usize = 2000;
@@ -26,8 +26,11 @@ fn sign_of<E: Endpoint>(value: &Interval<E>) -> Option<i8> {
 /// The sign of a term without symbols over the real numbers: 1 or -1, where an enclosure shows it.
 pub fn term_sign(terms: &Terms, term: Term) -> Option<i8> {
     terms.is_closed(term).then_some(())?;
-    let first: First = term_value(terms, term, &mut HashMap::new())?;
-    sign_of(&first).or_else(|| sign_of(&term_value::<Wide<150>>(terms, term, &mut HashMap::new())?))
+    let quick = term_value::<f64>(terms, term, &mut HashMap::new());
+    quick
+        .and_then(|value| sign_of(&value))
+        .or_else(|| sign_of(&term_value::<Wide<40>>(terms, term, &mut HashMap::new())?))
+        .or_else(|| sign_of(&term_value::<Wide<150>>(terms, term, &mut HashMap::new())?))
 }
 
 /// The sign of a polynomial without symbols: 1 or -1, where an enclosure shows it.
@@ -43,9 +46,10 @@ pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
     if polynomial.terms().len() > LARGEST || polynomial.generators().iter().any(|&term| !terms.is_closed(term)) {
         return None;
     }
-    let first: Option<First> = enclose(terms, polynomial);
-    let found = first.and_then(|value| sign_of(&value));
-    found.or_else(|| sign_of(&enclose::<Wide<150>>(terms, polynomial)?))
+    let quick = enclose::<f64>(terms, polynomial).and_then(|value| sign_of(&value));
+    quick
+        .or_else(|| sign_of(&enclose::<Wide<40>>(terms, polynomial)?))
+        .or_else(|| sign_of(&enclose::<Wide<150>>(terms, polynomial)?))
 }
 
 /// An enclosure of a polynomial whose generators have values; `None` where one has none for certain.
@@ -335,6 +339,11 @@ pub(super) fn complex_root<E: Endpoint>(at: &Complex<E>, index: u32) -> Option<C
 
 pub(super) fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
     let (above, below) = (value.0.numerator(), value.0.denominator());
+    if let (Ok(above), Ok(below)) = (i64::try_from(above), i64::try_from(below))
+        && above.abs().max(below) <= EXACT
+    {
+        return Some(Interval::from_integer(above) / Interval::from_integer(below));
+    }
     let whole = |digits: &str| -> Interval<E> {
         // nine digits at a time, so that every step is exact in f64 and rounded outward in E
         let mut sum = Interval::<E>::zero();
