@@ -52,8 +52,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict, by_induction,
-    other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
+    Fault, Goal, Matched, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict,
+    by_induction, other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
@@ -831,6 +831,10 @@ impl Proposals for Ways<'_> {
 
     fn zeros(&self, of: &Tree, by: &Name, between: [&Tree; 2]) -> Vec<Tree> {
         integration::zeros(of, by, between)
+    }
+
+    fn known_integral(&self, of: &Tree, by: &Name, limits: [&Tree; 2]) -> Option<Matched> {
+        self.place.and_then(|_| integration::known_integral(of, by, limits))
     }
 
     fn telescoping(&self, term: &Tree, index: &Name, _: &Symbols) -> Option<Tree> {

@@ -23,6 +23,7 @@ mod infinite;
 mod instances;
 mod integers;
 mod integral;
+mod known;
 mod law;
 mod leibniz;
 mod limit;
@@ -48,6 +49,7 @@ pub use conditions::under_conditions;
 pub use divisors::divisors;
 pub use inequality::alternatives as other_ways;
 pub use infinite::{Multiple, Proposal};
+pub use known::{KnownIntegral, Matched, known_integrals};
 pub use rule::{Rule, Rules};
 pub use table::Row;
 pub use thin::{thin_domains, values};
@@ -68,6 +70,11 @@ pub trait Proposals {
     /// Returns numbers between two others, in ascending order, at which a tree in one letter is 0.
     fn zeros(&self, _of: &Tree, _by: &Name, _between: [&Tree; 2]) -> Vec<Tree> {
         Vec::new()
+    }
+
+    /// Returns a definite integral as a multiple of one of known value.
+    fn known_integral(&self, _of: &Tree, _by: &Name, _limits: [&Tree; 2]) -> Option<Matched> {
+        None
     }
 
     /// Returns a function of an index whose differences are the terms of a sum.
