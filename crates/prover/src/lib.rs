@@ -53,7 +53,8 @@ pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, script
 
 use claims::{
     Fault, Goal, Matched, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict,
-    by_induction, other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
+    by_induction, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases, thin_domains, under_conditions,
+    values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
@@ -245,6 +246,9 @@ struct Search<'a> {
     kept: Option<Vec<Decided>>,
     /// True if the claim has lemmas, and all of those of the last goals were shown: other ones would bring the same goals.
     are_lemmas_shown: bool,
+    /// The cases that the claim is decided in, and the lemma that was not shown last.
+    cases: Vec<Equation>,
+    open: Option<Equation>,
     /// The goals that were met: several ways to decide the claim ask for the same.
     met: Vec<Met>,
 }
@@ -271,8 +275,19 @@ impl<'a> Search<'a> {
             budget: Budget::of_claim(options.effort),
             kept: None,
             are_lemmas_shown: false,
+            cases: Vec::new(),
+            open: None,
             met: Vec::new(),
         }
+    }
+
+    /// The statements of a claim, in the case in which it is decided.
+    fn statements(&self, sheet: &Sheet, position: usize) -> Result<Statements, Box<Decision>> {
+        let mut statements = Decision::without_search(sheet, position)?;
+        for case in &self.cases {
+            statements = statements.in_case(case, &sheet.symbols);
+        }
+        Ok(statements)
     }
 
     /// Decides a claim, and in its other readings too, where these are known: what is so in all of them stands.
@@ -376,7 +391,13 @@ impl<'a> Search<'a> {
         let known = self.known();
         let (first, ways) = self.decide_by(sheet, position, Some(0));
         let is_open = |decision: &Decision| decision.verdict == Verdict::Undecided && !decision.is_vacuous;
-        if !is_open(&first) || !holds_integrals(sheet, position) || self.are_lemmas_shown {
+        if !is_open(&first) {
+            return first;
+        }
+        if let Some(decision) = self.by_signs(sheet, position) {
+            return decision;
+        }
+        if !holds_integrals(sheet, position) || self.are_lemmas_shown {
             return first;
         }
         for place in (1..ways.min(MOST_WAYS)).map(Some).chain([None]) {
@@ -390,10 +411,60 @@ impl<'a> Search<'a> {
         first
     }
 
+    /// Decides a claim in each case of the sign of what a lemma says that is not shown; nothing where it is not decided so.
+    fn by_signs(&mut self, sheet: &Sheet, position: usize) -> Option<Decision> {
+        let (open, known) = (self.open.take()?, self.known());
+        if self.cases.len() >= MOST_CASES {
+            return None;
+        }
+        let statements = self.statements(sheet, position).ok()?;
+        let (mut shown, mut is_open) = (Vec::new(), false);
+        for case in sign_cases(&open, &statements, &sheet.symbols) {
+            let part = format!("where {case}");
+            self.cases.push(case);
+            let decision = self.decide(sheet, position);
+            let is_case = decision.verdict == Verdict::Proved || !self.is_contradictory(sheet, position);
+            self.cases.pop();
+            match decision.verdict {
+                Verdict::Proved => shown.push(decision),
+                Verdict::Refuted if !decision.is_vacuous => {
+                    let mut decision = decision.in_part(&part);
+                    decision.exception = None;
+                    return Some(decision);
+                }
+                // nothing lies in such a case
+                _ if !is_case => {}
+                _ => is_open = true,
+            }
+        }
+        if is_open || shown.is_empty() {
+            self.forget(known);
+            return None;
+        }
+        let mut decision = Decision {
+            reason: self.reason.clone(),
+            ..self.start.clone()
+        };
+        decision.conclude(shown);
+        Some(decision)
+    }
+
+    /// Returns true if what is given contradicts itself in the case in which a claim is decided, or the claim has no value there.
+    fn is_contradictory(&mut self, sheet: &Sheet, position: usize) -> bool {
+        let statements = self.statements(sheet, position);
+        statements.is_ok_and(|statements| {
+            let known = self.known();
+            let found = self.decided_goal(&of_nothing(&statements, &sheet.symbols));
+            self.forget(known);
+            found.is_vacuous
+        })
+    }
+
     /// Decides a claim by the antiderivatives at a place among those that are found, or by none; and how many are found at most.
     fn decide_by(&mut self, sheet: &Sheet, position: usize, place: Option<usize>) -> (Decision, usize) {
         let ways = Cell::new(0);
-        let decision = match goals(sheet, position, place, &ways) {
+        let statements = self.statements(sheet, position);
+        let decision = match statements.and_then(|statements| goals(statements, sheet, position, place, &ways)) {
             Ok(goals) => self.decide_goals(sheet, position, &goals),
             Err(decision) => *decision,
         };
@@ -444,7 +515,7 @@ impl<'a> Search<'a> {
 
     /// Proves inequalities by induction over one of their integers; nothing where they are not proved so.
     fn by_induction(&mut self, sheet: &Sheet, position: usize) -> Option<Decision> {
-        let statements = Decision::without_search(sheet, position).ok()?;
+        let statements = self.statements(sheet, position).ok()?;
         let goals = by_induction(&statements, &sheet.symbols)?;
         let known = self.known();
         let decision = self.together(&goals);
@@ -515,9 +586,14 @@ impl<'a> Search<'a> {
     fn together(&mut self, goals: &Reduced) -> Decision {
         let mut shown = Vec::new();
         self.are_lemmas_shown = false;
+        self.open = None;
         for lemma in &goals.lemmas {
             let found = self.settled_otherwise(lemma);
             if found.verdict != Verdict::Proved {
+                self.open = match lemma.statements.claims.as_slice() {
+                    [claim] => Some(claim.clone()),
+                    _ => None,
+                };
                 return Decision {
                     reason: format!("{} is not shown: {}", lemma.part, found.reason),
                     ..self.start.clone()
@@ -811,6 +887,9 @@ fn holds_integrals(sheet: &Sheet, position: usize) -> bool {
     entry.is_some_and(|entry| entry.equations.iter().any(|own| holds(own, &is_integral)))
 }
 
+/// The most cases within each other.
+const MOST_CASES: usize = 3;
+
 /// The most antiderivatives of one integral that are tried.
 const MOST_WAYS: usize = 3;
 
@@ -848,8 +927,13 @@ impl Proposals for Ways<'_> {
 
 /// The goals that a claim comes to by the antiderivatives at a place among those that are found, of which it counts the most;
 /// itself, where it is about numbers.
-fn goals(sheet: &Sheet, position: usize, place: Option<usize>, ways: &Cell<usize>) -> Result<Reduced, Box<Decision>> {
-    let statements = Decision::without_search(sheet, position)?;
+fn goals(
+    statements: Statements,
+    sheet: &Sheet,
+    position: usize,
+    place: Option<usize>,
+    ways: &Cell<usize>,
+) -> Result<Reduced, Box<Decision>> {
     let search = Ways { place, most: ways };
     match reduced(&statements, &sheet.symbols, &search) {
         Ok(Some(reduced)) => Ok(reduced),
@@ -1092,7 +1176,9 @@ fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<V
 
 /// The certificates that the search finds for the questions of the claim at a position, each with its statement.
 pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::Certificate>> {
-    let Ok(goals) = goals(sheet, position, Some(0), &Cell::new(0)) else {
+    let statements = Decision::without_search(sheet, position);
+    let goals = statements.and_then(|statements| goals(statements, sheet, position, Some(0), &Cell::new(0)));
+    let Ok(goals) = goals else {
         return Vec::new();
     };
     let of = |goal: &Goal| claims::questions(&goal.statements, &goal.symbols).unwrap_or_default();
