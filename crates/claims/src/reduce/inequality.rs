@@ -320,15 +320,23 @@ impl Range {
                 continue;
             };
             let (other, kind) = match (is_letter(&relation.left), is_letter(&relation.right)) {
-                (true, false) => (&relation.right, relation.relation),
-                (false, true) => (&relation.left, relation.relation.turned()),
-                _ => continue,
+                (true, false) => (relation.right.clone(), relation.relation),
+                (false, true) => (relation.left.clone(), relation.relation.turned()),
+                _ => {
+                    // -x < 1, 2 x + 1 > 0
+                    let whole = difference(relation.left.clone(), relation.right.clone());
+                    match factorial::multiple_of(&whole, letter) {
+                        Some((slope @ 1.., offset)) => (ratio(-offset, slope), relation.relation),
+                        Some((slope @ ..=-1, offset)) => (ratio(-offset, slope), relation.relation.turned()),
+                        _ => continue,
+                    }
+                }
             };
             match kind {
                 _ if other.has_free(letter) => {}
-                Relation::NotEqual => excluded.push(other.clone()),
+                Relation::NotEqual => excluded.push(other),
                 Relation::Equal => {}
-                kind => bounds.push((kind, other.clone())),
+                kind => bounds.push((kind, other)),
             }
         }
         Self {

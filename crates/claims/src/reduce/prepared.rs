@@ -1,6 +1,8 @@
 //! Preparation of a function for its limit: powers of e in place of moving powers, and conditions under which it has a value.
 
-use super::build::{call, difference, integer, negative, plain, power, product, quotient, real_power, sum, symbol};
+use super::build::{
+    call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, sum, symbol,
+};
 use super::evaluate::{at_index, may_be_undefined};
 use super::factorial;
 use super::germ::{End, Germs, Wave};
@@ -98,6 +100,10 @@ impl Germs<'_> {
             return Ok(call("\\exp", exponent));
         }
         let base = self.prepared(base)?;
+        // far out the exponent is positive
+        if is_zero(&base) && is_whole && matches!(self.limit(&exponent)?, End::Infinite(true)) {
+            return Ok(base);
+        }
         let grown = |base: Tree| call("\\exp", product(vec![exponent.clone(), call("\\ln", base)]));
         if self.sign(&base)? {
             return Ok(grown(base));

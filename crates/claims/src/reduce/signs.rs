@@ -2,9 +2,10 @@
 
 use super::super::premise::Statements;
 use super::build::{difference, integer, negative, sum};
+use super::cases::is_absolute;
 use super::{Goal, Rule, defined, is_spoken_of, rewritten, trees};
 use std::collections::BTreeSet;
-use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, names_in, number_of, rewrite};
+use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, names_in, number_of, rewrite};
 
 /// Functions that have a value at each real number.
 const TOTAL: [&str; 6] = ["\\sin", "\\cos", "\\exp", "\\arctan", "\\sinh", "\\cosh"];
@@ -143,6 +144,19 @@ impl Statements {
             });
             own.assume.extend(declared(&letter, &value, symbols));
             return own;
+        }
+        let modulus = match case.relation {
+            Relation::Greater => Some(case.left.clone()),
+            Relation::Less => Some(negative(case.left.clone())),
+            _ => None,
+        };
+        if let Some(modulus) = modulus {
+            own = rewritten(&own, Rule::ModulusCases, &|tree| {
+                mapped(tree, &|node| match node {
+                    Tree::Call(_, inner, _) if is_absolute(node) && **inner == case.left => Some(modulus.clone()),
+                    _ => None,
+                })
+            });
         }
         own.assume.push(Condition::Relation(case.clone()));
         own
