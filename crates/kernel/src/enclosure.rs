@@ -327,15 +327,15 @@ pub(super) fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
     value.is_finite().then_some(value)
 }
 
-fn exp<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
+pub(super) fn exp<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
     Interval::new(of.low().bounded_exp().below(), of.high().bounded_exp().above())
 }
 
-fn ln<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
+pub(super) fn ln<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
     Interval::new(of.low().bounded_ln().below(), of.high().bounded_ln().above())
 }
 
-fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Interval<E>> {
+pub(super) fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Interval<E>> {
     let half_turn = || <Interval<E> as Analytic>::pi() / Interval::from_integer(2);
     Some(match function {
         Elementary::Sin => of.sincos().0,
