@@ -12,7 +12,8 @@
 //! integrand is continuous up to the end, and that the integral converges absolutely there.
 
 use super::enclosure::{
-    Complex, complex_elementary, complex_ln, complex_root, complex_value, plus, rational, term_value, times,
+    Complex, complex_elementary, complex_ln, complex_quotient, complex_root, complex_value, plus, rational, term_value,
+    times,
 };
 use super::ends::{Beside, End, Exact};
 use super::polynomial::Polynomial;
@@ -20,6 +21,7 @@ use super::term::{Elementary, Node, Term, Terms};
 use dashu_ratio::RBig;
 use num_traits::{One, Zero};
 use numbers::{Analytic, Endpoint, Field, Interval, Rational, Wide};
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -35,6 +37,9 @@ const RADIUS: i32 = -120;
 
 /// An error of a piece is small enough at this power of two times the length times some values of the integrand.
 const ACCURACY: i32 = -70;
+
+/// The same for an interval with an end that needs a germ.
+const ACCURACY_OF_GERMS: i32 = -64;
 
 /// The most halvings: where neither the mean value theorem nor a germ says anything even then, there is no enclosure.
 const SHORTEST: u32 = 56;
@@ -74,9 +79,52 @@ impl Terms {
                 .iter()
                 .all(|inner| is_of_letter(inner) && is_plain(inner));
         let letter = self.add(Node::Bound);
-        let bounds = is_integral.then(|| bounds(self, of, letter, [low, high]))??;
-        Some(self.add_integral([of, low, high], bounds))
+        is_integral.then_some(())?;
+        let key = [of, low, high].map(|term| self.renumbered(term));
+        let known = KNOWN.with_borrow(|known| known.get(&key).cloned());
+        let bounds = known.unwrap_or_else(|| {
+            let bounds = bounds(self, of, letter, [low, high]);
+            // an integral within a limit is no part of it
+            let is_whole = |nodes: &Vec<Node>| !nodes.iter().any(|node| matches!(node, Node::Integral { .. }));
+            if key.iter().all(is_whole) {
+                KNOWN.with_borrow_mut(|known| {
+                    if known.len() >= MOST_KNOWN {
+                        known.clear();
+                    }
+                    known.insert(key, bounds.clone());
+                });
+            }
+            bounds
+        });
+        Some(self.add_integral([of, low, high], bounds?))
     }
+
+    /// The nodes inside a term, in which terms are the numbers of their places: the same for equal terms of all stores.
+    fn renumbered(&self, term: Term) -> Vec<Node> {
+        let inside = self.inside(term);
+        let place = |part: Term| {
+            inside
+                .binary_search(&part)
+                .ok()
+                .and_then(|place| u32::try_from(place).ok())
+        };
+        let moved = |part: Term| Term(place(part).unwrap_or(u32::MAX));
+        inside
+            .iter()
+            .map(|inner| self.node(*inner).with_parts(&moved))
+            .collect()
+    }
+}
+
+/// The nodes of an integrand and of the ends of its interval.
+type Key = [Vec<Node>; 3];
+
+/// The most integrals whose bounds are kept.
+const MOST_KNOWN: usize = 256;
+
+thread_local! {
+    /// Bounds of integrals that were found before: one claim builds the same integral in several stores.
+    static KNOWN: RefCell<HashMap<Key, Option<[Rational; 2]>>> = RefCell::new(HashMap::new());
 }
 
 /// Bounds of the integral of a term by the bound letter between closed terms, where it is shown to have a value.
@@ -161,10 +209,15 @@ impl<'a, E: Endpoint> Integrand<'a, E> {
     /// An enclosure of the integral from one end to another, whose middle is not below that of the first one.
     fn over(&mut self, lower: &End<E>, upper: &End<E>) -> Option<Interval<E>> {
         let (from, to) = (lower.value.midpoint(), upper.value.midpoint());
-        let small = self.small(&from, &to);
         let germs = [(lower, to.clone(), true), (upper, from.clone(), false)]
             .map(|(end, other, is_above)| self.needs_germ(end, &other, is_above));
         let [is_below, is_above] = germs;
+        let power = if is_below || is_above {
+            ACCURACY_OF_GERMS
+        } else {
+            ACCURACY
+        };
+        let small = self.sizes(&from, &to) * E::from_integer(2).to_power(power);
         if !is_below && !is_above {
             // from l in `lower` to h in `upper`: from l to `from`, on to `to`, and from there to h, in whatever order they lie
             let between = self.between(&from, &to, &small)?;
@@ -266,13 +319,14 @@ impl<'a, E: Endpoint> Integrand<'a, E> {
         let mut open = vec![(Interval::new(from.clone(), to.clone()), 0)];
         while let Some((piece, halvings)) = open.pop() {
             let error = self.error(&piece);
-            if let Some(error) = error.filter(|error| error.high() <= *small) {
+            if let Some(error) = error.clone().filter(|error| error.high() <= *small) {
                 smooth.push((piece, error));
                 continue;
             }
             let last = halvings >= SHORTEST || piece.low() == piece.high();
             let length = Interval::point(piece.high()) - Interval::point(piece.low());
-            let flat = self.value(&piece).map(|value| value * length);
+            let flat = (last || error.is_none()).then(|| self.value(&piece)).flatten();
+            let flat = flat.map(|value| value * length);
             if let Some(flat) = flat.filter(|flat| last || flat.width() <= *small) {
                 sum += flat;
                 continue;
@@ -287,14 +341,14 @@ impl<'a, E: Endpoint> Integrand<'a, E> {
         Some(sum)
     }
 
-    /// A number that is small beside the integral. Nothing rests on it but when to stop.
-    fn small(&mut self, from: &E, to: &E) -> E {
+    /// The size of some values of the integrand, times the length. Nothing rests on it but when to stop.
+    fn sizes(&mut self, from: &E, to: &E) -> E {
         let (mut sizes, length) = (E::zero(), to.clone() - from.clone());
         for part in [3, 10, 17, 22, 29, 37] {
             let at = Interval::point(from.clone() + length.clone() * E::from_ratio(part, 41));
             sizes += self.value(&at).map_or_else(E::zero, |value| value.magnitude());
         }
-        sizes * length * E::from_integer(2).to_power(ACCURACY)
+        sizes * length
     }
 
     /// The values over real numbers; `None` where one of them is not known to be defined.
@@ -401,13 +455,7 @@ fn continued<E: Endpoint>(function: Elementary, at: &Complex<E>) -> Option<Compl
             negative(&complex_root(&negative(at), index)?)
         }
         Elementary::Root(_) => return None,
-        // (ln(1 + i at) - ln(1 - i at)) / (2i): its derivative is 1 / (1 + at^2), and it is 0 at 0
-        Elementary::Arctan => {
-            let [above, below] = [plus(&one, &turned()), plus(&one, &negative(&turned()))];
-            let (real, imaginary) = plus(&ln(&above)?, &negative(&ln(&below)?));
-            let two = Interval::from_integer(2);
-            (imaginary? / two.clone(), Some(-real / two))
-        }
+        Elementary::Arctan => continued_arctan(at)?,
         // ln(sqrt(1 - at^2) + i at) / i: of a real number the angle from -pi/2 to pi/2 that has it for its sine
         Elementary::Arcsin => {
             let rest = plus(&one, &negative(&times(at, at)));
@@ -420,6 +468,35 @@ fn continued<E: Endpoint>(function: Elementary, at: &Complex<E>) -> Option<Compl
             plus(&quarter, &negative(&continued(Elementary::Arcsin, at)?))
         }
     })
+}
+
+/// The arc tangent: (ln(1 + i at) - ln(1 - i at)) / (2i), whose derivative is 1 / (1 + at^2), and which is 0 at 0.
+///
+/// In the right half plane it is pi/2 - arctan(1/at), too, since both are holomorphic there and agree at positive numbers; in
+/// the left one minus that of -at.
+fn continued_arctan<E: Endpoint>(at: &Complex<E>) -> Option<Complex<E>> {
+    let one = (Interval::one(), None);
+    if at.0.is_negative() {
+        return Some(negative(&continued_arctan(&negative(at))?));
+    }
+    if at.0.low() >= E::one() {
+        let quarter = (<Interval<E> as Analytic>::pi() / Interval::from_integer(2), None);
+        let inverse = complex_quotient(one, at.clone())?;
+        // its real part is positive, and at most 1
+        return Some(plus(&quarter, &negative(&arctan_by_logarithms(&inverse)?)));
+    }
+    arctan_by_logarithms(at)
+}
+
+/// The arc tangent by logarithms: see [`continued_arctan`].
+fn arctan_by_logarithms<E: Endpoint>(at: &Complex<E>) -> Option<Complex<E>> {
+    let one = (Interval::one(), None);
+    let turned = (-at.1.clone().unwrap_or_else(Interval::zero), Some(at.0.clone())); // i at
+    let [above, below] = [plus(&one, &turned), plus(&one, &negative(&turned))];
+    (above.0.is_positive() && below.0.is_positive()).then_some(())?;
+    let (real, imaginary) = plus(&complex_ln(&above)?, &negative(&complex_ln(&below)?));
+    let two = Interval::from_integer(2);
+    Some((imaginary? / two.clone(), Some(-real / two)))
 }
 
 /// The values of a polynomial with rational coefficients on an interval, as its value at an end plus a multiple of the

@@ -52,8 +52,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict, by_induction, other_ways,
-    reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
+    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict, by_induction,
+    other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
@@ -661,7 +661,12 @@ impl<'a> Search<'a> {
             statements: goal.statements.clone(),
             symbols: goal.symbols.clone(),
             decision: decision.clone(),
-            kept: self.kept.iter().flat_map(|kept| kept.iter().skip(known)).cloned().collect(),
+            kept: self
+                .kept
+                .iter()
+                .flat_map(|kept| kept.iter().skip(known))
+                .cloned()
+                .collect(),
         });
         decision
     }

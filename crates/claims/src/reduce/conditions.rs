@@ -21,7 +21,12 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
             provided.push(printed);
         }
         // what shows that a sum has no value outside of its region must hold there
-        let states_it = |goal: &Goal| goal.statements.claims.iter().all(|claim| goals.converging.contains(claim));
+        let states_it = |goal: &Goal| {
+            goal.statements
+                .claims
+                .iter()
+                .all(|claim| goals.converging.contains(claim))
+        };
         let is_of_region = |goal: &&mut Goal| !goal.statements.rules.contains(&Rule::SeriesInfinite) || states_it(goal);
         let lemmas = further.lemmas.iter_mut().filter(is_of_region);
         for goal in further.sufficient.iter_mut().chain(lemmas) {
