@@ -1215,15 +1215,27 @@ fn an_improper_integral_of_numbers_is_enclosed() {
         (r"\int_0^\infty \frac{dx}{1+x^4} = 1", Verdict::Refuted),
         (r"\int_0^1 \frac{\sin x}{x} dx \approx 0.946083", Verdict::Proved),
         (r"\int_0^1 \frac{dx}{\sqrt{1-x^3}} \approx 1.40218", Verdict::Proved),
-        (r"\int_0^\infty \frac{x^3}{e^x-1} dx = \frac{\pi^4}{12}", Verdict::Refuted),
+        (
+            r"\int_0^\infty \frac{x^3}{e^x-1} dx = \frac{\pi^4}{12}",
+            Verdict::Refuted,
+        ),
         (r"\int_0^{1} x^{x} dx \approx 0.783431", Verdict::Proved),
         (r"\int_0^{\pi/2} \ln(\cos x) dx \approx -1.0888", Verdict::Proved),
         (r"\int_{-\infty}^\infty \frac{dx}{1+x^6} = 2", Verdict::Refuted),
         (r"\int_{-\infty}^\infty \frac{dx}{\cosh x} > 3.1415", Verdict::Proved),
         (r"\int_\infty^0 e^{-x^3} dx \approx -0.8930", Verdict::Proved),
-        (r"\int_0^\infty \frac{\sin^2 x}{x^2} dx = \frac{\pi}{3}", Verdict::Refuted),
-        (r"\int_{-2}^{14} \frac{dx}{\sqrt[4]{x+2}} = \frac{16}{3}", Verdict::Refuted),
-        (r"a + \int_0^\infty \frac{\ln x}{1+x^2} dx = a + \frac{1}{10}", Verdict::Refuted),
+        (
+            r"\int_0^\infty \frac{\sin^2 x}{x^2} dx = \frac{\pi}{3}",
+            Verdict::Refuted,
+        ),
+        (
+            r"\int_{-2}^{14} \frac{dx}{\sqrt[4]{x+2}} = \frac{16}{3}",
+            Verdict::Refuted,
+        ),
+        (
+            r"a + \int_0^\infty \frac{\ln x}{1+x^2} dx = a + \frac{1}{10}",
+            Verdict::Refuted,
+        ),
         // without a value, or with one that is no absolute one, there is nothing to say
         (r"\int_1^\infty \frac{dx}{x} < 100", Verdict::Undecided),
         (r"\int_0^\infty e^{x} dx < 100", Verdict::Undecided),

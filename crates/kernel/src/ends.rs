@@ -307,7 +307,7 @@ impl Scale {
         self.times(&other.to_power(&RBig::from(-1))?)
     }
 
-    /// Less if the scale tends to 0 as s does, greater if it grows without bound, equal if it is 1.
+    /// Returns less if the scale tends to 0 as s does, greater if it grows without bound, equal if it is 1.
     fn order<E: Endpoint>(&self) -> Option<Ordering> {
         if let Some((_, multiple)) = self.growth.first() {
             return multiple.sign::<E>();
@@ -412,7 +412,7 @@ impl<E: Endpoint> Near<E> {
         Some((bound, plain))
     }
 
-    /// (m/(e y))^m and -q m, for y = -`rate` > 0 and q < 0: see [`decayed`](Self::decayed).
+    /// Returns (m/(e y))^m and -q m, for y = -`rate` > 0 and q < 0: see [`decayed`](Self::decayed).
     fn exponential(&self, rate: &E, q: &RBig) -> Option<(Interval<E>, RBig)> {
         let y = Interval::point(-rate.clone());
         y.is_positive().then_some(())?;
@@ -526,7 +526,7 @@ impl<E: Endpoint> Near<E> {
         Some(self.range(small)?.hull(&Interval::zero()))
     }
 
-    /// A germ as c S (1 + w): c is not 0, w tends to 0, and 1 + w is positive on all of (0, h]. The sign of c is that of the
+    /// The form c S (1 + w) of a germ: c is not 0, w tends to 0, and 1 + w is positive on all of (0, h]. The sign of c is that of the
     /// germ, which is not 0 anywhere.
     fn leading(&self, germ: &Germ<E>) -> Option<(Coefficient<E>, Scale, Germ<E>)> {
         let ((coefficient, scale), rest) = germ.0.split_first()?;
@@ -545,7 +545,7 @@ impl<E: Endpoint> Near<E> {
         Some(sum)
     }
 
-    /// (1 + w)^a for w that tends to 0 with 1 + w > 0: 1 + a w + a(a-1)/2 w^2 + a(a-1)(a-2)/6 w^3 (1 + v)^(a-3), v between 0
+    /// Returns (1 + w)^a for w that tends to 0 with 1 + w > 0: 1 + a w + a(a-1)/2 w^2 + a(a-1)(a-2)/6 w^3 (1 + v)^(a-3), v between 0
     /// and w, by the theorem of Taylor.
     fn binomial(&self, w: &Germ<E>, a: &RBig) -> Option<Germ<E>> {
         let one = || RBig::ONE;
@@ -557,7 +557,7 @@ impl<E: Endpoint> Near<E> {
         self.series(w, &[exact(one())?, exact(a.clone())?, exact(second)?], last)
     }
 
-    /// a / b, where b is shown to be 0 nowhere.
+    /// Returns a / b, where b is shown to be 0 nowhere.
     fn quotient(&self, a: &Germ<E>, b: &Germ<E>) -> Option<Germ<E>> {
         let (coefficient, scale, w) = self.leading(b)?;
         let inverse = self.binomial(&w, &RBig::from(-1))?;
@@ -585,7 +585,7 @@ impl<E: Endpoint> Near<E> {
         (0..exponent).try_fold(one, |power, _| self.product(&power, base))
     }
 
-    /// (c S (1 + w))^a for c that is positive, or an integer a.
+    /// Returns (c S (1 + w))^a for c that is positive, or an integer a.
     fn real_power(&self, c: &Coefficient<E>, scale: &Scale, w: &Germ<E>, a: &RBig) -> Option<Germ<E>> {
         let whole = Rational(a.clone())
             .to_integer()
@@ -611,7 +611,7 @@ impl<E: Endpoint> Near<E> {
         self.real_power(&c, &scale, &w, &(RBig::ONE / RBig::from(index)))
     }
 
-    /// ln(c s^p L^k e^g (1 + w)) = ln c - p L + k ln L + g + ln(1 + w) for c > 0.
+    /// The logarithm: ln(c s^p L^k e^g (1 + w)) = ln c - p L + k ln L + g + ln(1 + w) for c > 0.
     ///
     /// ln(1 + w) = w - w^2/2 + w^3 / (3 (1 + v)^3), v between 0 and w. ln L is a multiple of L: (ln u)/u rises up to u = e,
     /// where it is 1/e, and is positive beyond.
@@ -645,7 +645,7 @@ impl<E: Endpoint> Near<E> {
         self.gathered(parts)
     }
 
-    /// e^u: of the large parts, of the constant, and of the small ones, for which e^v = 1 + v + v^2/2 + v^3/6 e^t, t between 0
+    /// The exponential: of the large parts, of the constant, and of the small ones, for which e^v = 1 + v + v^2/2 + v^3/6 e^t, t between 0
     /// and v.
     fn exp(&self, of: &Germ<E>) -> Option<Germ<E>> {
         let mut large = Vec::new();
@@ -735,7 +735,7 @@ impl<E: Endpoint> Near<E> {
         Interval::one().hull(&(Interval::one() - t))
     }
 
-    /// sin v for a germ v that tends to 0: v - v^3/6 + k v^5/120, where 1 - v^2/42 <= k <= 1. For v >= 0 the sums of its series
+    /// The sine of a germ v that tends to 0: v - v^3/6 + k v^5/120, where 1 - v^2/42 <= k <= 1. For v >= 0 the sums of its series
     /// are bounds of it from above and below in turn, and it is odd.
     fn small_sine(&self, v: &Germ<E>) -> Option<Germ<E>> {
         let (square, most) = self.squared(v)?;
@@ -744,7 +744,7 @@ impl<E: Endpoint> Near<E> {
         self.product(v, &self.series(&square, &first, last)?)
     }
 
-    /// cos v for a germ v that tends to 0: 1 - v^2/2 + k v^4/24, where 1 - v^2/30 <= k <= 1, for the same reason.
+    /// The cosine of a germ v that tends to 0: 1 - v^2/2 + k v^4/24, where 1 - v^2/30 <= k <= 1, for the same reason.
     fn small_cosine(&self, v: &Germ<E>) -> Option<Germ<E>> {
         let (square, most) = self.squared(v)?;
         let last = Self::below_one(most / Interval::from_integer(30)) / Interval::from_integer(24);
@@ -990,7 +990,7 @@ impl<E: Endpoint> Beside<'_, E> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::quadrature::tests::{Line, Number, Writer, whole};
+    use super::super::quadrature::{Line, Number, Writer, whole};
     use super::*;
     use numbers::Sequence;
 
@@ -1328,7 +1328,7 @@ mod tests {
                 of,
                 by: w.x,
                 end,
-                is_above: sequence.draw() % 2 == 0,
+                is_above: sequence.draw().is_multiple_of(2),
             };
             if is_right(&w, of, &near, &beside, &mut sequence) {
                 found += 1;

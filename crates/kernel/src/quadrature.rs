@@ -583,7 +583,10 @@ fn legendre<F: Field>(x: &F) -> (F, F) {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(super) use tests::{Line, Number, Writer, whole};
+
+#[cfg(test)]
+mod tests {
     use super::*;
     use Elementary::{Arccos, Arcsin, Arctan, Cos, Exp, Ln, Root, Sin};
     use numbers::Sequence;
