@@ -1,13 +1,13 @@
 //! Enclosures of integrals up to an end of the interval where the integrand is not continuous, by germs.
 //!
-//! Let s be the distance from the end, 0 < s <= h <= 1/2, and L = ln(1/s), which is positive. A [`Germ`] of a function is a
-//! short sum of coefficients times scales. A scale is s^p L^k e^(g(s)), where g is a sum of multiples of negative powers of s.
-//! A coefficient is an interval, and for each s there is a number in it with which the sum is the value of the function. Where
-//! a coefficient is known exactly it cancels exactly. A term that has a germ is defined and continuous on all of (0, h]: each
-//! rule shows this of the node that it is for.
+//! Let s be the distance from the end, 0 < s <= h <= 1/2, and L = ln(1/s), which is positive. A [`Germ`] of a function
+//! is a short sum of coefficients times scales. A scale is s^p L^k e^(g(s)), where g is a sum of multiples of negative
+//! powers of s. A coefficient is an interval, and for each s there is a number in it with which the sum is the value of
+//! the function. Where a coefficient is known exactly it cancels exactly. A term that has a germ is defined and
+//! continuous on all of (0, h]: each rule shows this of the node that it is for.
 //!
-//! Two scales are always in order: as s tends to 0, one is small beside the other. The scales are a group, and those that tend
-//! to 0 are bounded on (0, h] by [`Near::most`].
+//! Two scales are always in order: as s tends to 0, one is small beside the other. The scales are a group, and those
+//! that tend to 0 are bounded on (0, h] by [`Near::most`].
 
 use super::enclosure::{elementary, exp, ln, rational};
 use super::term::{Elementary, Node, Term, Terms};
@@ -245,8 +245,8 @@ impl<E: Endpoint> Coefficient<E> {
     }
 }
 
-/// The function s^power L^logs e^g, where g is the sum of the multiples of powers of s: (power, multiple), the powers negative
-/// and rising, no multiple 0.
+/// The function s^power L^logs e^g, where g is the sum of the multiples of powers of s: (power, multiple), the powers
+/// negative and rising, no multiple 0.
 #[derive(Clone, Debug, PartialEq)]
 struct Scale {
     growth: Vec<(RBig, Exact)>,
@@ -384,11 +384,11 @@ impl<E: Endpoint> Near<E> {
         logarithm.is_positive().then_some(Self { most, logarithm })
     }
 
-    /// A number B and a scale without an exponential, for a scale e^g times s^p L^k where g tends to minus infinity: it is at
-    /// most B times the other one.
+    /// A number B and a scale without an exponential, for a scale e^g times s^p L^k where g tends to minus infinity: it
+    /// is at most B times the other one.
     ///
-    /// g is s^q times a number that is at most -y, y > 0, where q is the least power. And t^m e^-t <= (m/e)^m for t > 0, so
-    /// e^g <= e^(-y s^q) <= (m/(e y))^m s^(-q m).
+    /// g is s^q times a number that is at most -y, y > 0, where q is the least power. And t^m e^-t <= (m/e)^m for t >
+    /// 0, so e^g <= e^(-y s^q) <= (m/(e y))^m s^(-q m).
     fn decayed(&self, scale: &Scale) -> Option<(Interval<E>, Scale)> {
         let (least, _) = scale.growth.first()?;
         let mut sum = Interval::zero();
@@ -427,8 +427,8 @@ impl<E: Endpoint> Near<E> {
     /// The values of a scale that does not grow, on (0, h].
     ///
     /// s^r L^n, where r > 0, or r = 0 and n <= 0: for n <= 0 both factors rise with s. For n > 0 it rises with s where
-    /// L >= n/r, since its derivative is s^(r-1) L^(n-1) (r L - n); and as L = u tends from 0 to infinity e^(-ru) u^n is
-    /// largest at u = n/r, where it is (n/(e r))^n.
+    /// L >= n/r, since its derivative is s^(r-1) L^(n-1) (r L - n); and as L = u tends from 0 to infinity e^(-ru) u^n
+    /// is largest at u = n/r, where it is (n/(e r))^n.
     fn most(&self, scale: &Scale) -> Option<Interval<E>> {
         match scale.order::<E>()? {
             Ordering::Equal => return Some(Interval::one()),
@@ -526,8 +526,8 @@ impl<E: Endpoint> Near<E> {
         Some(self.range(small)?.hull(&Interval::zero()))
     }
 
-    /// The form c S (1 + w) of a germ: c is not 0, w tends to 0, and 1 + w is positive on all of (0, h]. The sign of c is that of the
-    /// germ, which is not 0 anywhere.
+    /// The form c S (1 + w) of a germ: c is not 0, w tends to 0, and 1 + w is positive on all of (0, h]. The sign of c
+    /// is that of the germ, which is not 0 anywhere.
     fn leading(&self, germ: &Germ<E>) -> Option<(Coefficient<E>, Scale, Germ<E>)> {
         let ((coefficient, scale), rest) = germ.0.split_first()?;
         let inverse = coefficient.inverse()?;
@@ -545,8 +545,8 @@ impl<E: Endpoint> Near<E> {
         Some(sum)
     }
 
-    /// Returns (1 + w)^a for w that tends to 0 with 1 + w > 0: 1 + a w + a(a-1)/2 w^2 + a(a-1)(a-2)/6 w^3 (1 + v)^(a-3), v between 0
-    /// and w, by the theorem of Taylor.
+    /// Returns (1 + w)^a for w that tends to 0 with 1 + w > 0: 1 + a w + a(a-1)/2 w^2 + a(a-1)(a-2)/6 w^3 (1 +
+    /// v)^(a-3), v between 0 and w, by the theorem of Taylor.
     fn binomial(&self, w: &Germ<E>, a: &RBig) -> Option<Germ<E>> {
         let one = || RBig::ONE;
         let second = a.clone() * (a.clone() - one()) / RBig::from(2);
@@ -613,8 +613,8 @@ impl<E: Endpoint> Near<E> {
 
     /// The logarithm: ln(c s^p L^k e^g (1 + w)) = ln c - p L + k ln L + g + ln(1 + w) for c > 0.
     ///
-    /// ln(1 + w) = w - w^2/2 + w^3 / (3 (1 + v)^3), v between 0 and w. ln L is a multiple of L: (ln u)/u rises up to u = e,
-    /// where it is 1/e, and is positive beyond.
+    /// ln(1 + w) = w - w^2/2 + w^3 / (3 (1 + v)^3), v between 0 and w. ln L is a multiple of L: (ln u)/u rises up to u
+    /// = e, where it is 1/e, and is positive beyond.
     fn ln(&self, of: &Germ<E>) -> Option<Germ<E>> {
         let (c, scale, w) = self.leading(of)?;
         c.value.is_positive().then_some(())?;
@@ -645,8 +645,8 @@ impl<E: Endpoint> Near<E> {
         self.gathered(parts)
     }
 
-    /// The exponential: of the large parts, of the constant, and of the small ones, for which e^v = 1 + v + v^2/2 + v^3/6 e^t, t between 0
-    /// and v.
+    /// The exponential: of the large parts, of the constant, and of the small ones, for which e^v = 1 + v + v^2/2 +
+    /// v^3/6 e^t, t between 0 and v.
     fn exp(&self, of: &Germ<E>) -> Option<Germ<E>> {
         let mut large = Vec::new();
         for part in &of.0 {
@@ -668,7 +668,8 @@ impl<E: Endpoint> Near<E> {
         }
     }
 
-    /// The scale that e^u is, where the parts of u are multiples of negative powers of s, and rational ones of L: e^L = 1/s.
+    /// The scale that e^u is, where the parts of u are multiples of negative powers of s, and rational ones of L: e^L =
+    /// 1/s.
     fn exactly_large(&self, parts: &[Part<E>]) -> Option<Scale> {
         let mut scale = Scale::one();
         for (coefficient, part) in parts {
@@ -735,8 +736,8 @@ impl<E: Endpoint> Near<E> {
         Interval::one().hull(&(Interval::one() - t))
     }
 
-    /// The sine of a germ v that tends to 0: v - v^3/6 + k v^5/120, where 1 - v^2/42 <= k <= 1. For v >= 0 the sums of its series
-    /// are bounds of it from above and below in turn, and it is odd.
+    /// The sine of a germ v that tends to 0: v - v^3/6 + k v^5/120, where 1 - v^2/42 <= k <= 1. For v >= 0 the sums of
+    /// its series are bounds of it from above and below in turn, and it is odd.
     fn small_sine(&self, v: &Germ<E>) -> Option<Germ<E>> {
         let (square, most) = self.squared(v)?;
         let last = Self::below_one(most / Interval::from_integer(42)) / Interval::from_integer(120);
@@ -752,8 +753,8 @@ impl<E: Endpoint> Near<E> {
         self.series(&square, &first, last)
     }
 
-    /// A sine, or a cosine. Quarters of a turn are taken off exactly: sin(n pi/2 + v) is sin v, cos v, -sin v, -cos v for n = 0
-    /// to 3, and cos x = sin(x + pi/2).
+    /// A sine, or a cosine. Quarters of a turn are taken off exactly: sin(n pi/2 + v) is sin v, cos v, -sin v, -cos v
+    /// for n = 0 to 3, and cos x = sin(x + pi/2).
     fn sine(&self, of: &Germ<E>, is_cosine: bool) -> Option<Germ<E>> {
         if !of.0.is_empty() && of.order()? == Ordering::Greater {
             return Germ::within((-Interval::<E>::one()).hull(&Interval::one()));
@@ -791,8 +792,8 @@ impl<E: Endpoint> Near<E> {
         Some(Germ::constant(Coefficient::new(Exact { whole, turns })?))
     }
 
-    /// The arc tangent. Of v that tends to 0 it is v - v^3/3 + k v^5/5, where 1 - 5 v^2/7 <= k <= 1, since
-    /// 1/(1 + t^2) = 1 - t^2 + t^4 - t^6/(1 + t^2). Of u > 0 it is pi/2 - arctan(1/u).
+    /// The arc tangent. Of v that tends to 0 it is v - v^3/3 + k v^5/5, where 1 - 5 v^2/7 <= k <= 1, since 1/(1 + t^2)
+    /// = 1 - t^2 + t^4 - t^6/(1 + t^2). Of u > 0 it is pi/2 - arctan(1/u).
     fn arctan(&self, of: &Germ<E>) -> Option<Germ<E>> {
         match of.order()? {
             Ordering::Less => {
@@ -819,9 +820,9 @@ impl<E: Endpoint> Near<E> {
         }
     }
 
-    /// The arc sine. Of v that tends to 0 it is v + v^3/6 + 3/40 k v^5, where 1 <= k <= (1 - v^2)^(-5/2), since
-    /// (1 - y)^(-1/2) = 1 + y/2 + 3/8 y^2 (1 - z)^(-5/2), z between 0 and y. Of u from -1 to 1 it is
-    /// pi/2 - 2 arcsin(sqrt((1 - u)/2)), which shows it where u tends to 1.
+    /// The arc sine. Of v that tends to 0 it is v + v^3/6 + 3/40 k v^5, where 1 <= k <= (1 - v^2)^(-5/2), since (1 -
+    /// y)^(-1/2) = 1 + y/2 + 3/8 y^2 (1 - z)^(-5/2), z between 0 and y. Of u from -1 to 1 it is pi/2 - 2 arcsin(sqrt((1
+    /// - u)/2)), which shows it where u tends to 1.
     fn arcsin(&self, of: &Germ<E>) -> Option<Germ<E>> {
         let order = of.order()?;
         (order != Ordering::Greater).then_some(())?;
@@ -892,8 +893,8 @@ impl<E: Endpoint> Near<E> {
     /// The integral of a scale from 0 to a number that is at most h, where it has a value.
     ///
     /// With I(k) for that of s^p L^k: I(0) = a^(p+1)/(p+1), and I(k) = (a^(p+1) (ln 1/a)^k + k I(k-1))/(p+1), since the
-    /// derivative of s^(p+1) L^k is (p+1) s^p L^k - k s^p L^(k-1). For k < 0 and p > -1 L^k is at most (ln 1/a)^k. For k < -1
-    /// the derivative of L^(k+1)/(-(k+1)) is s^-1 L^k.
+    /// derivative of s^(p+1) L^k is (p+1) s^p L^k - k s^p L^(k-1). For k < 0 and p > -1 L^k is at most (ln 1/a)^k. For
+    /// k < -1 the derivative of L^(k+1)/(-(k+1)) is s^-1 L^k.
     fn integral(&self, scale: &Scale, to: &Interval<E>) -> Option<Interval<E>> {
         if !scale.growth.is_empty() {
             // where it grows there is no bound
@@ -949,7 +950,8 @@ pub(super) struct Beside<'a, E: Endpoint> {
 }
 
 impl<E: Endpoint> Beside<'_, E> {
-    /// The germ of the term for the distances up to h from the end. `constants` has values of what the letter is not in.
+    /// The germ of the term for the distances up to h from the end. `constants` has values of what the letter is not
+    /// in.
     fn germ(&self, near: &Near<E>, constants: &HashMap<Term, Interval<E>>) -> Option<Germ<E>> {
         let constant = Coefficient {
             value: self.end.value.clone(),
@@ -970,8 +972,9 @@ impl<E: Endpoint> Beside<'_, E> {
         known.remove(&self.of)
     }
 
-    /// An enclosure of the integral from the end to a number at a distance that is enclosed, whichever of the two is larger
-    /// (as from the smaller to the larger one). It converges absolutely, and the term is continuous up to the end.
+    /// An enclosure of the integral from the end to a number at a distance that is enclosed, whichever of the two is
+    /// larger (as from the smaller to the larger one). It converges absolutely, and the term is continuous up to the
+    /// end.
     pub(super) fn integral(
         &self,
         distance: &Interval<E>,

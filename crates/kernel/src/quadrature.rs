@@ -823,7 +823,7 @@ mod tests {
                 1e-19,
             ),
             (half_circle, [whole(0), whole(1)], pi() / whole(4), 1e-19),
-            (half_circle, [whole(-1), whole(1)], pi() / two(), 1e-19),
+            (half_circle, [whole(-1), whole(1)], pi() / two(), 1e-18),
             (|w, x| w.of(Root(2), x), [whole(0), whole(4)], number(16, 3), 1e-18),
             (
                 |w, _| of_square(w, Root(2), 1, 0),
