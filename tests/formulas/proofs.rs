@@ -563,6 +563,10 @@ fn break_step(steps: &mut Vec<Inference>, random: &mut Sequence) -> bool {
             },
         },
         Inference::Squeezed { low, high } => std::mem::swap(low, high),
+        Inference::Between { target, within } => match within.first_mut() {
+            Some(pair) if below(random, 2) == 0 => pair.swap(0, 1),
+            _ => break_polynomial(target, random),
+        },
         Inference::Congruence { left, right } => {
             left.0 = left.0.saturating_sub(1);
             right.0 = right.0.saturating_sub(below(random, 2) as u32);

@@ -44,8 +44,9 @@ pub use fault::{Fault, Source};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{
-    Goal, Multiple, Proposal, Proposals, Reduced, Row, Rule, Rules, along_a_sequence, by_induction, divisors,
-    other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values,
+    Goal, KnownIntegral, Matched, Multiple, Proposal, Proposals, Reduced, Row, Rule, Rules, along_a_sequence,
+    by_induction, divisors, known_integrals, other_ways, reduced, reduced_by_cases, thin_domains, under_conditions,
+    values,
 };
 pub use sheet::{Sheet, read_symbols};
 pub use verdict::Verdict;

@@ -45,6 +45,12 @@ pub enum Inference {
     Unfold(Term),
     /// A polynomial without symbols and unknown functions is positive, by an enclosure of its value.
     Enclosure(Polynomial),
+    /// `target` is positive wherever its letters lie between the facts `within`, of each letter two that are not negative: a
+    /// positive multiple of the letter plus a number, and a negative one.
+    Between {
+        target: Polynomial,
+        within: Vec<[usize; 2]>,
+    },
     /// `target` is 0: the product of the nonzero `factors` times (target^power + sum of `squares`) is the combination
     /// of the `terms`, each a coefficient and the number of a fact `Zero`. Squares need an even power, and real numbers.
     Zero {
@@ -131,6 +137,7 @@ impl Inference {
                 roots.chain(coefficients(terms)).chain([target]).collect()
             }
             Self::Cases { on, target, .. } => vec![on, target],
+            Self::Between { target, .. } => vec![target],
             _ => Vec::new(),
         }
     }

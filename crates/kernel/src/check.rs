@@ -1,6 +1,7 @@
 //! The acceptance of certificates: each step is checked by multiplying out, nothing is searched for.
 
 use super::axiom::{Axiom, Guard, written};
+use super::boxes;
 use super::certificate::{Certificate, Inference, LawSource, Summand};
 use super::expand::{Expansion, Refusal, vanishes};
 use super::polynomial::Polynomial;
@@ -270,6 +271,7 @@ impl<'a> Checker<'a> {
             Inference::Axiom(axiom) => self.axiom(axiom),
             Inference::Unfold(term) => self.unfold(*term),
             Inference::Enclosure(polynomial) => self.enclosed(polynomial),
+            Inference::Between { target, within } => self.between(target, within),
             Inference::Zero {
                 target,
                 power,
@@ -429,6 +431,22 @@ impl<'a> Checker<'a> {
             }
             _ => refused("no enclosure shows that this is positive"),
         }
+    }
+
+    fn between(&mut self, target: &Polynomial, within: &[[usize; 2]]) -> Outcome<()> {
+        if self.statement.complex {
+            return refused("an order between complex numbers");
+        }
+        let mut bounds = Vec::new();
+        for [low, high] in within {
+            let sign = [Property::NonNegative, Property::Positive];
+            bounds.push([self.fact(*low, &sign)?, self.fact(*high, &sign)?]);
+        }
+        if !boxes::is_positive(&self.statement.terms, target, &bounds) {
+            return refused("no enclosure shows that this is positive between these bounds");
+        }
+        self.add(Property::Positive, target.clone());
+        Ok(())
     }
 
     fn identical(&self, left: &Polynomial, right: &Polynomial) -> Outcome<()> {

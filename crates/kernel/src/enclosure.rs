@@ -6,37 +6,63 @@ use dashu_int::ops::BitTest;
 use dashu_ratio::RBig;
 use num_traits::{One, Zero};
 use numbers::{Analytic, Endpoint, Field, Interval, Rational, Wide};
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
-/// The digits tried, one after the other, until a sign is certain.
-type First = Interval<Wide<40>>;
-type Second = Interval<Wide<150>>;
+/// The largest integer up to which all are machine numbers.
+const EXACT: i64 = 1 << 53;
 
-/// The sign of a polynomial without symbols: 1 or -1, where an enclosure shows it.
-pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
-    let certain = |positive: bool, negative: bool| match (positive, negative) {
+/// The most terms of a polynomial whose sign is looked for.
+const LARGEST: usize = 2000;
+
+fn sign_of<E: Endpoint>(value: &Interval<E>) -> Option<i8> {
+    match (value.is_positive(), value.is_negative()) {
         (true, _) => Some(1),
         (_, true) => Some(-1),
         _ => None,
-    };
+    }
+}
+
+/// The sign of a term without symbols over the real numbers: 1 or -1, where an enclosure shows it.
+pub fn term_sign(terms: &Terms, term: Term) -> Option<i8> {
+    terms.is_closed(term).then_some(())?;
+    let quick = term_value::<f64>(terms, term, &mut HashMap::new());
+    quick
+        .and_then(|value| sign_of(&value))
+        .or_else(|| sign_of(&term_value::<Wide<40>>(terms, term, &mut HashMap::new())?))
+        .or_else(|| sign_of(&term_value::<Wide<150>>(terms, term, &mut HashMap::new())?))
+}
+
+/// The sign of a polynomial without symbols: 1 or -1, where an enclosure shows it.
+pub fn sign(terms: &Terms, polynomial: &Polynomial) -> Option<i8> {
     if let Some(value) = polynomial.as_constant() {
         let zero = Rational::zero();
-        return certain(value > zero, value < zero);
+        return match value.cmp(&zero) {
+            Ordering::Equal => None,
+            Ordering::Greater => Some(1),
+            Ordering::Less => Some(-1),
+        };
     }
-    if polynomial.generators().iter().any(|&term| !terms.is_closed(term)) {
+    if polynomial.terms().len() > LARGEST || polynomial.generators().iter().any(|&term| !terms.is_closed(term)) {
         return None;
     }
-    let first: Option<First> = enclose(terms, polynomial);
-    let found = first.and_then(|value| certain(value.is_positive(), value.is_negative()));
-    found.or_else(|| {
-        let second: Second = enclose(terms, polynomial)?;
-        certain(second.is_positive(), second.is_negative())
-    })
+    let quick = enclose::<f64>(terms, polynomial).and_then(|value| sign_of(&value));
+    quick
+        .or_else(|| sign_of(&enclose::<Wide<40>>(terms, polynomial)?))
+        .or_else(|| sign_of(&enclose::<Wide<150>>(terms, polynomial)?))
 }
 
 /// An enclosure of a polynomial whose generators have values; `None` where one has none for certain.
 pub fn enclose<E: Endpoint>(terms: &Terms, polynomial: &Polynomial) -> Option<Interval<E>> {
-    let mut known = HashMap::new();
+    enclose_with(terms, polynomial, HashMap::new())
+}
+
+/// An enclosure of a polynomial over all values of the terms that are known; `None` where it may have none.
+pub(super) fn enclose_with<E: Endpoint>(
+    terms: &Terms,
+    polynomial: &Polynomial,
+    mut known: HashMap<Term, Interval<E>>,
+) -> Option<Interval<E>> {
     let mut sum = Interval::<E>::zero();
     for (monomial, coefficient) in polynomial.terms() {
         let mut product = rational(&Rational(coefficient.clone()))?;
@@ -76,6 +102,9 @@ pub fn term_value<E: Endpoint>(
     term: Term,
     known: &mut HashMap<Term, Interval<E>>,
 ) -> Option<Interval<E>> {
+    if let Some(value) = known.get(&term) {
+        return Some(value.clone());
+    }
     // rounding would take the root of 1 - 1, and the arc sine of 1, out of their domains
     let mut exactly: HashMap<Term, RBig> = HashMap::new();
     for inner in terms.inside(term) {
@@ -326,6 +355,11 @@ pub(super) fn complex_root<E: Endpoint>(at: &Complex<E>, index: u32) -> Option<C
 
 pub(super) fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
     let (above, below) = (value.0.numerator(), value.0.denominator());
+    if let (Ok(above), Ok(below)) = (i64::try_from(above), i64::try_from(below))
+        && above.abs().max(below) <= EXACT
+    {
+        return Some(Interval::from_integer(above) / Interval::from_integer(below));
+    }
     let whole = |digits: &str| -> Interval<E> {
         // nine digits at a time, so that every step is exact in f64 and rounded outward in E
         let mut sum = Interval::<E>::zero();
@@ -366,16 +400,15 @@ pub(super) fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) ->
             of.sqrt()
         }
         Elementary::Root(index) => {
-            let root = |of: &Interval<E>| exp(&(ln(of) / Interval::from_integer(i64::from(index))));
-            if of.is_positive() {
-                root(of)
-            } else if of.is_negative() && index % 2 == 1 {
-                -root(&-of.clone())
-            } else if of.low() == E::zero() && of.high() == E::zero() {
-                Interval::zero()
-            } else {
-                return None;
-            }
+            let positive = |of: &Interval<E>| exp(&(ln(of) / Interval::from_integer(i64::from(index))));
+            let root = |end: E| match Interval::point(end) {
+                end if end.is_positive() => Some(positive(&end)),
+                end if end.is_negative() && index % 2 == 1 => Some(-positive(&-end)),
+                end if end.is_zero() => Some(end),
+                _ => None,
+            };
+            // it grows with what it is of
+            Interval::new(root(of.low())?.low(), root(of.high())?.high())
         }
         Elementary::Arcsin | Elementary::Arccos => {
             (of.low() >= -E::one() && of.high() <= E::one()).then_some(())?;

@@ -21,6 +21,7 @@
 )]
 
 mod axiom;
+mod boxes;
 mod certificate;
 mod check;
 mod draft;

@@ -746,6 +746,12 @@ impl<'a> At<'a> {
     /// The sign of a number: of its real and imaginary part; `None` where it is not certain. 0 needs the certificate.
     fn number(&mut self, term: Term) -> Outcome<Option<[i8; 2]>> {
         self.exists(term)?;
+        // mostly the number is not 0, which shows before anything is multiplied out
+        if !self.statement.complex
+            && let Some(sign) = enclosure::term_sign(&self.statement.terms, term)
+        {
+            return Ok(Some([sign, 0]));
+        }
         let quotient = self.numerator(term)?;
         let mut polynomial = quotient.numerator;
         for (divisor, power) in &quotient.divisors {
@@ -759,13 +765,11 @@ impl<'a> At<'a> {
             // one part that is not 0 is enough to tell that the number is not, if all else but the unit is real
             (Some(sign), None) if sign != 0 && self.is_real(&imaginary) => Some([sign, 2]),
             (None, Some(sign)) if sign != 0 && self.is_real(&real) => Some([2, sign]),
-            _ => match enclosure::complex_signs(&self.statement.terms, &polynomial) {
-                Some([real, imaginary]) if self.statement.complex => {
-                    let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
-                    (apart(real) || apart(imaginary)).then_some([real.unwrap_or(2), imaginary.unwrap_or(2)])
-                }
-                _ => None,
-            },
+            _ if !self.statement.complex => None,
+            _ => enclosure::complex_signs(&self.statement.terms, &polynomial).and_then(|[real, imaginary]| {
+                let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+                (apart(real) || apart(imaginary)).then_some([real.unwrap_or(2), imaginary.unwrap_or(2)])
+            }),
         })
     }
 

@@ -38,6 +38,7 @@ AXIOMS = {
     )
 }
 SMALL = mpmath.mpf(10) ** -45
+mpmath.iv.dps = 30
 # how near two values of one number are, as a share of it
 NEAR = mpmath.mpf(10) ** -12
 
@@ -610,6 +611,22 @@ class Statement:
         # what is left of the digits after cancellation
         return (total, size) if mpmath.isfinite(total) else None
 
+    def enclosed(self, polynomial, box):
+        """An interval that holds the values of a polynomial for all letters in a box; None where it may have none."""
+        known, total = dict(box), mpmath.iv.mpf(0)
+        try:
+            for monomial, coefficient in polynomial.items():
+                part = exactly(coefficient)
+                for term, exponent in monomial:
+                    for inner in self.inside(term):
+                        if inner not in known:
+                            known[inner] = within(self.nodes[inner], [known[part] for part in parts(self.nodes[inner])])
+                    part *= known[term] ** exponent
+                total += part
+        except (Refused, ZeroDivisionError, ValueError, mpmath.libmp.ComplexResult):
+            return None
+        return total if mpmath.isfinite(total.a) and mpmath.isfinite(total.b) else None
+
     def sign(self, polynomial):
         """The sign of the real value of a number: 1 or -1; None where it is too close to 0 to tell, or not real."""
         exact = value_of_constant(polynomial)
@@ -626,6 +643,44 @@ class Statement:
         if more is None or abs(more[0] - found[0]) > NEAR * abs(more[0]) or abs(mpmath.im(more[0])) > NEAR * abs(more[0]):
             return None
         return 1 if mpmath.re(more[0]) > 0 else -1
+
+
+def exactly(fraction):
+    return mpmath.iv.mpf(fraction.numerator) / fraction.denominator
+
+
+def within(node, of):
+    """The values of a node over intervals of its parts, all real."""
+    kind = node[0]
+    if kind == "number":
+        return exactly(node[1])
+    if kind == "pi":
+        return +mpmath.iv.pi
+    if kind in ("sum", "product"):
+        total = mpmath.iv.mpf(kind == "product")
+        for part in of:
+            total = total + part if kind == "sum" else total * part
+        return total
+    if kind == "power":
+        return of[0] ** node[2]
+    if kind == "quotient":
+        require(not (of[1].a <= 0 <= of[1].b), "a divisor may be 0")
+        return of[0] / of[1]
+    if kind in ("sin", "cos", "exp"):
+        return getattr(mpmath.iv, kind)(of[0])
+    ends = [mpmath.mpf(of[0].a), mpmath.mpf(of[0].b)] if of else []
+    if kind in ("ln", "realpower"):
+        require(ends[0] > 0, "a logarithm that may have no value")
+        return mpmath.iv.log(of[0]) if kind == "ln" else mpmath.iv.exp(of[1] * mpmath.iv.log(of[0]))
+    monotone = {"arcsin": mpmath.asin, "arccos": mpmath.acos, "arctan": mpmath.atan}
+    if kind == "root":
+        require(ends[0] >= 0 or node[1] % 2 == 1, "a root that may have no value")
+        ends = [root(end, node[1], False) for end in ends]
+    else:
+        require(kind in monotone and (kind == "arctan" or -1 <= ends[0] <= ends[1] <= 1), "a term without a value")
+        ends = sorted(monotone[kind](end) for end in ends)
+    # both ends are rounded in all their digits
+    return mpmath.iv.mpf([ends[0] - SMALL, ends[1] + SMALL])
 
 
 def root(of, index, complex_):
@@ -1054,6 +1109,37 @@ class Proof:
         p = read_polynomial(p)
         require(self.s.sign(p) == 1, "the value is not known to be positive")
         self.add(POSITIVE, p)
+
+    def step_between(self, p, within):
+        require(not self.s.complex, "an order between complex numbers")
+        p, box = read_polynomial(p), {}
+        for low, high in within:
+            (letter, below, first), (other, above, second) = (self.bound(n) for n in (low, high))
+            require(letter == other and letter not in box and first and not second, "no bounds of a letter on both sides")
+            box[letter] = mpmath.iv.mpf([below.a, above.b])
+        open_, left = [box], 4000
+        while open_:
+            box = open_.pop()
+            value = self.s.enclosed(p, box)
+            if value is not None and value.a > 0:
+                continue
+            require(box and left, "the value is not known to be positive between these bounds")
+            left -= 1
+            letter = max(box, key=lambda letter: box[letter].delta)
+            middle = box[letter].mid.a
+            open_ += [{**box, letter: mpmath.iv.mpf(part)} for part in ((box[letter].a, middle), (middle, box[letter].b))]
+        self.add(POSITIVE, p)
+
+    def bound(self, n):
+        """The letter of a fact that bounds one, the number that it gives, and whether it is a lower bound."""
+        fact = self.fact(n, POSITIVE, NONNEGATIVE)
+        moving = [m for m in fact if any(not self.s.is_closed(term) for term, _ in m)]
+        require(len(moving) == 1 and len(moving[0]) == 1 and moving[0][0][1] == 1, "no bound of a letter")
+        letter, factor = moving[0][0][0], fact[moving[0]]
+        require(self.s.nodes[letter][0] == "symbol", "no bound of a letter")
+        rest = self.s.enclosed({m: value for m, value in fact.items() if m != moving[0]}, {})
+        require(rest is not None, "a bound without a value")
+        return letter, -rest / exactly(factor), factor > 0
 
     def step_axiom(self, name, terms):
         require(name in AXIOMS, "there is no such axiom")

@@ -2,7 +2,7 @@
 
 use super::point::Wanted;
 use super::script::Found;
-use super::{Outcome, outcome, points, proof};
+use super::{Budget, Outcome, decided_outcome, points, proof};
 use claims::{Goal, Premise, Question, divisors};
 use kernel::Statement;
 use numbers::{Field, Rational};
@@ -111,18 +111,22 @@ impl Search<'_> {
         // mostly it is false for another reason, which costs less to see than to look for a proof
         let found = points(&statement, Wanted::Either, self.effort);
         let is_false = matches!(found, Some((_, kernel::Evaluated::Fails(_))));
-        !is_false && proof::search(&statement, FEW_STEPS).is_some() && self.is_proved(&statement)
+        !is_false && proof::search(&statement, FEW_STEPS, &mut 0).is_some() && self.is_proved(&statement)
+    }
+
+    fn outcome(&self, statement: &Statement) -> Outcome {
+        decided_outcome(statement, &Budget::of_claim(self.effort))
     }
 
     fn is_proved(&self, statement: &Statement) -> bool {
-        matches!(outcome(statement, self.effort), Outcome::Proved(..))
+        matches!(self.outcome(statement), Outcome::Proved(..))
     }
 
     /// Returns true if a law that is divided holds at other times than that at which its divisor is not 0.
     fn is_open(&self, divisor: &(String, Tree)) -> bool {
         let time = self.goal.symbols.running();
         let is_time = |node: &Tree| matches!(node, Tree::Symbol(name, _) if Some(name) == time);
-        let is_undecided = |statement| matches!(outcome(&statement, self.effort), Outcome::Undecided(_));
+        let is_undecided = |statement| matches!(self.outcome(&statement), Outcome::Undecided(_));
         any(&divisor.1, &mut |node| is_time(node))
             && self.without(std::slice::from_ref(divisor)).is_some_and(is_undecided)
     }
@@ -149,7 +153,7 @@ impl Search<'_> {
 
     /// A question with what decides it, where it is proved, or else refuted.
     fn shown(&self, (goal, question): (Goal, Question), is_proved: bool) -> Option<Shown> {
-        let found = Found::of(outcome(&question.statement, self.effort))?;
+        let found = Found::of(self.outcome(&question.statement))?;
         let is_one = matches!(found, Found::Proved { .. }) == is_proved;
         is_one.then_some((goal, question, found))
     }

@@ -423,6 +423,7 @@ impl Proof {
             Inference::Axiom(axiom) => format!("By the axiom: {}", described(axiom)),
             Inference::Unfold(_) => "By definition".into(),
             Inference::Enclosure(_) => "By interval arithmetic".into(),
+            Inference::Between { .. } => by("By interval arithmetic between bounds"),
             Inference::Zero {
                 power,
                 squares,
@@ -497,6 +498,7 @@ fn named(step: &Inference, take: &mut dyn FnMut(usize)) {
             factors.iter().for_each(|(fact, _)| take(*fact));
             terms.iter().for_each(|(_, fact)| take(*fact));
         }
+        Inference::Between { within, .. } => within.iter().flatten().for_each(|fact| take(*fact)),
         Inference::Squeezed { low, high } => [*low, *high].into_iter().for_each(&mut *take),
         Inference::Cases { branches, .. } => branches.iter().flatten().for_each(|inner| named(inner, take)),
         _ => {}

@@ -52,8 +52,8 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict, by_induction,
-    other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
+    Fault, Goal, Matched, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict,
+    by_induction, other_ways, reduced, reduced_by_cases, thin_domains, under_conditions, values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
@@ -240,6 +240,7 @@ struct Search<'a> {
     /// The claim as it was read, in TeX.
     printed: String,
     options: &'a Options,
+    budget: Budget,
     /// What decides the questions that were met, where it is asked for.
     kept: Option<Vec<Decided>>,
     /// True if the claim has lemmas, and all of those of the last goals were shown: other ones would bring the same goals.
@@ -250,6 +251,7 @@ struct Search<'a> {
 
 /// A goal with its decision and with what is kept of it.
 struct Met {
+    depth: Depth,
     statements: Statements,
     symbols: Symbols,
     decision: Decision,
@@ -266,6 +268,7 @@ impl<'a> Search<'a> {
                 .get(position)
                 .map_or_else(String::new, |entry| entry.tex.tex.clone()),
             options,
+            budget: Budget::of_claim(options.effort),
             kept: None,
             are_lemmas_shown: false,
             met: Vec::new(),
@@ -475,7 +478,7 @@ impl<'a> Search<'a> {
         let open = match values(goal) {
             Ok(values) => {
                 let mut values = values.into_iter();
-                let open = values.find(|(_, goal)| self.settled(goal).verdict != Verdict::Proved);
+                let open = values.find(|(_, goal)| self.decided_goal(goal).verdict != Verdict::Proved);
                 open.map(|(condition, _)| format!("{condition} is not shown"))
             }
             Err(unknown) => Some(unknown),
@@ -495,7 +498,7 @@ impl<'a> Search<'a> {
     fn thin(&mut self, goal: &Goal) -> Option<Decision> {
         let known = self.known();
         let found = thin_domains(goal).into_iter().find(|(_, goal)| {
-            let found = self.settled(goal);
+            let found = self.decided_goal(goal);
             found.verdict == Verdict::Proved && !found.is_vacuous
         });
         self.forget(known);
@@ -602,41 +605,57 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands.
+    /// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands. All of these
+    /// ways are tried quickly before one of them is followed far.
     fn settled_otherwise(&mut self, goal: &Goal) -> Decision {
         let known = self.known();
-        let decision = self.settled(goal);
-        if decision.verdict != Verdict::Undecided || decision.is_vacuous {
+        let mut decision = self.settled(goal, Depth::Quick);
+        let is_open = |decision: &Decision| decision.verdict == Verdict::Undecided && !decision.is_vacuous;
+        if !is_open(&decision) {
             return decision;
         }
-        self.forget(known);
-        for parts in other_ways(&goal.statements, &goal.symbols) {
-            if let Some(shown) = self.shown_by_parts(&parts).filter(|shown| !shown.is_empty()) {
+        let ways = other_ways(&goal.statements, &goal.symbols);
+        for depth in [Depth::Quick, Depth::Deep] {
+            self.forget(known);
+            if depth == Depth::Deep {
+                decision = self.settled(goal, depth);
+            }
+            if !is_open(&decision) {
+                break;
+            }
+            self.forget(known);
+            let mut shown = ways.iter().filter_map(|parts| {
+                let shown = self.shown_by_parts(parts, depth).filter(|shown| !shown.is_empty());
+                if shown.is_none() {
+                    self.forget(known);
+                }
+                shown
+            });
+            if let Some(shown) = shown.next() {
                 let mut decision = self.start.clone();
                 decision.conclude(shown);
                 return decision;
             }
-            self.forget(known);
         }
         decision
     }
 
     /// The decisions on goals by which all parts of a claim are proved, each by the first way that succeeds.
-    fn shown_by_parts(&mut self, parts: &[Vec<Vec<Goal>>]) -> Option<Vec<Decision>> {
+    fn shown_by_parts(&mut self, parts: &[Vec<Vec<Goal>>], depth: Depth) -> Option<Vec<Decision>> {
         let mut shown = Vec::new();
         for ways in parts {
-            shown.extend(ways.iter().find_map(|way| self.holding(way))?);
+            shown.extend(ways.iter().find_map(|way| self.holding(way, depth))?);
         }
         Some(shown)
     }
 
     /// The decisions on the goals where all are proved, for every number: a derivative must have its sign everywhere, and what
     /// is provided for one number is no proof.
-    fn holding(&mut self, way: &[Goal]) -> Option<Vec<Decision>> {
+    fn holding(&mut self, way: &[Goal], depth: Depth) -> Option<Vec<Decision>> {
         let known = self.known();
         let mut shown = Vec::new();
         for goal in way {
-            let found = self.settled(goal);
+            let found = self.settled(goal, depth);
             if found.verdict != Verdict::Proved || !found.provided.is_empty() {
                 self.forget(known);
                 return None;
@@ -646,9 +665,22 @@ impl<'a> Search<'a> {
         Some(shown)
     }
 
-    /// Decides one goal of a claim, once.
-    fn settled(&mut self, goal: &Goal) -> Decision {
-        let is_it = |met: &&Met| met.statements == goal.statements && met.symbols == goal.symbols;
+    /// Decides one goal of a claim as it stands.
+    fn decided_goal(&mut self, goal: &Goal) -> Decision {
+        let known = self.known();
+        let decision = self.settled(goal, Depth::Quick);
+        if decision.verdict != Verdict::Undecided {
+            return decision;
+        }
+        self.forget(known);
+        self.settled(goal, Depth::Deep)
+    }
+
+    /// Decides one goal of a claim, once for each depth.
+    fn settled(&mut self, goal: &Goal, depth: Depth) -> Decision {
+        let is_open = |met: &Met| met.decision.verdict == Verdict::Undecided && met.depth < depth;
+        let is_same = |met: &Met| met.statements == goal.statements && met.symbols == goal.symbols;
+        let is_it = |met: &&Met| !is_open(met) && is_same(met);
         if let Some(met) = self.met.iter().find(is_it) {
             if let Some(kept) = &mut self.kept {
                 kept.extend(met.kept.iter().cloned());
@@ -656,8 +688,9 @@ impl<'a> Search<'a> {
             return met.decision.clone();
         }
         let known = self.known();
-        let decision = self.searched(goal);
+        let decision = self.searched(goal, depth);
         self.met.push(Met {
+            depth,
             statements: goal.statements.clone(),
             symbols: goal.symbols.clone(),
             decision: decision.clone(),
@@ -672,7 +705,7 @@ impl<'a> Search<'a> {
     }
 
     /// Decides one goal of a claim by a search.
-    fn searched(&mut self, goal: &Goal) -> Decision {
+    fn searched(&mut self, goal: &Goal, depth: Depth) -> Decision {
         let mut decision = self.start.clone();
         let questions = match claims::questions(&goal.statements, &goal.symbols) {
             Ok(questions) => questions,
@@ -686,7 +719,7 @@ impl<'a> Search<'a> {
         let (mut is_open, count) = (false, questions.len());
         let mut proofs = Vec::new();
         for question in questions {
-            let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, self.options.effort));
+            let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, depth, &self.budget));
             // a fault of the search costs its own claim a verdict, and no other
             let outcome = std::panic::catch_unwind(search).unwrap_or_else(|_| Outcome::Undecided(BROKE_DOWN.into()));
             match outcome {
@@ -800,6 +833,14 @@ impl Proposals for Ways<'_> {
         integration::zeros(of, by, between)
     }
 
+    fn known_integral(&self, of: &Tree, by: &Name, limits: [&Tree; 2]) -> Option<Matched> {
+        self.place.and_then(|_| integration::known_integral(of, by, limits))
+    }
+
+    fn telescoping(&self, term: &Tree, index: &Name, _: &Symbols) -> Option<Tree> {
+        summation::telescoping(term, index)
+    }
+
     fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
         summation::summation(term, index, symbols)
     }
@@ -863,15 +904,56 @@ enum Outcome {
     Undecided(String),
 }
 
-/// Steps of the search for a proof, and for a contradiction, for each unit of effort.
+/// Steps of the search for a proof, for all proofs of a claim, and for a contradiction, for each unit of effort.
 const PROOF_STEPS: u64 = 5_000_000;
 const QUICK_STEPS: u64 = 1_000_000;
+const CLAIM_STEPS: u64 = 20_000_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 /// Points of the premises at which the claim holds, before it is taken to be true rather than false.
 const ENOUGH_POINTS: usize = 4;
 
-fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
+/// The distance that a question is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Depth {
+    Quick,
+    Deep,
+}
+
+/// The steps that are left for the proofs of a claim.
+struct Budget {
+    effort: u64,
+    left: Cell<u64>,
+}
+
+impl Budget {
+    fn of_claim(effort: u64) -> Self {
+        Self {
+            effort,
+            left: Cell::new(CLAIM_STEPS.saturating_mul(effort)),
+        }
+    }
+
+    /// Searches for a proof in at most so many steps.
+    fn proof(&self, statement: &kernel::Statement, most: u64) -> Option<kernel::With<kernel::Certificate>> {
+        let (left, mut used) = (self.left.get(), 0);
+        let found = proof::search(statement, most.min(left), &mut used);
+        self.left.set(left.saturating_sub(used));
+        found
+    }
+}
+
+/// Decides a question, quickly if it can be.
+fn decided_outcome(statement: &kernel::Statement, budget: &Budget) -> Outcome {
+    match outcome(statement, Depth::Quick, budget) {
+        Outcome::Undecided(_) => outcome(statement, Depth::Deep, budget),
+        outcome => outcome,
+    }
+}
+
+/// Decides a question, as far as is asked for, in the steps that are left.
+fn outcome(statement: &kernel::Statement, depth: Depth, budget: &Budget) -> Outcome {
+    let effort = budget.effort;
     // a point of the premises comes first: a wrong formula costs less than its proof would, a proof needs one anyway
     let mut point = None;
     let plain = evaluation::points(statement).into_iter().filter_map(|witness| {
@@ -889,16 +971,17 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         }
     }
     // what holds at the points met is likely to be true
-    let quick = match point {
-        Some(_) => QUICK_STEPS,
-        None => QUICK_STEPS / 5,
+    let most = match (depth, &point) {
+        (Depth::Deep, _) => PROOF_STEPS.saturating_mul(effort),
+        (Depth::Quick, Some(_)) => QUICK_STEPS,
+        (Depth::Quick, None) => QUICK_STEPS / 5,
     };
-    let mut certificate = proof::search(statement, quick);
-    if certificate.is_none() {
-        if let Some((witness, kernel::Evaluated::Fails(refuted))) = points(statement, point::Wanted::Failure, effort) {
-            return Outcome::Refuted(refuted, Box::new(witness));
-        }
-        certificate = proof::search(statement, PROOF_STEPS * effort);
+    let certificate = budget.proof(statement, most);
+    if certificate.is_none()
+        && depth == Depth::Quick
+        && let Some((witness, kernel::Evaluated::Fails(refuted))) = points(statement, point::Wanted::Failure, effort)
+    {
+        return Outcome::Refuted(refuted, Box::new(witness));
     }
     let follows = certificate.is_some();
     // that what is written has a value is a question of its own, which says nothing of the claim
@@ -912,7 +995,12 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
     {
         return Outcome::Proved(proved, Box::new(certificate), Box::new(witness));
     }
-    without_points(statement, effort).unwrap_or_else(|| {
+    let vacuous = || {
+        (depth == Depth::Deep || follows)
+            .then(|| without_points(statement, effort))
+            .flatten()
+    };
+    vacuous().unwrap_or_else(|| {
         let reason = match follows {
             true if is_identity => "no point is found at which the premises hold and all that is written is defined",
             true => "it follows, but no point is found at which all that is written is defined and holds",
@@ -1010,7 +1098,7 @@ pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::
     let of = |goal: &Goal| claims::questions(&goal.statements, &goal.symbols).unwrap_or_default();
     let questions = goals.lemmas.iter().chain(&goals.sufficient).flat_map(of);
     questions
-        .filter_map(|question| proof::search(&question.statement, PROOF_STEPS))
+        .filter_map(|question| proof::search(&question.statement, PROOF_STEPS, &mut 0))
         .collect()
 }
 

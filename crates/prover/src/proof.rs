@@ -19,8 +19,8 @@ const LARGEST_EXPANSION: usize = 12;
 /// Passes of adding what is known of the functions that occur.
 const PASSES: usize = 4;
 
-/// Looks for a certificate of every goal.
-pub fn search(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
+/// Looks for a certificate of every goal, and counts the steps that it uses.
+pub fn search(statement: &Statement, budget: u64, used: &mut u64) -> Option<With<Certificate>> {
     let whole = large_bases(statement);
     let attempts: Vec<Vec<Term>> = if whole.is_empty() {
         vec![Vec::new()]
@@ -30,7 +30,9 @@ pub fn search(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
     for whole in attempts {
         let mut own = statement.clone();
         let mut session = Session::new(&mut own, whole.clone(), budget);
-        if prove_goals(&mut session).is_some() {
+        let is_proved = prove_goals(&mut session).is_some();
+        *used += budget - session.budget.left();
+        if is_proved {
             let steps = std::mem::take(&mut session.steps);
             return Some(With {
                 statement: own,

@@ -678,6 +678,12 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
         }
         Inference::Unfold(term) => vec![quoted("unfold"), numbers.of(*term)],
         Inference::Enclosure(polynomial) => vec![quoted("enclosure"), numbers.polynomial(polynomial)],
+        Inference::Between { target, within } => {
+            let pairs = within
+                .iter()
+                .map(|[low, high]| list([low.to_string(), high.to_string()]));
+            vec![quoted("between"), numbers.polynomial(target), list(pairs)]
+        }
         Inference::Zero {
             target,
             power,

@@ -15,6 +15,9 @@ use std::collections::BTreeSet;
 const MOST_FACTS: usize = 14;
 /// The most steps of one search for a sign.
 const MOST_STEPS: u64 = 200_000;
+/// The most letters whose bounds are used, and the steps that enclosures between these cost.
+const MOST_LETTERS: usize = 3;
+const STEPS_OF_ENCLOSURES: u64 = 20_000;
 /// The most facts of which it is tried whether their opposites hold, too.
 const MOST_SQUEEZED: usize = 16;
 
@@ -46,6 +49,9 @@ impl Session<'_> {
         }
         if !self.is_hopeful(polynomial, strict) {
             return None;
+        }
+        if let Some(found) = self.between_bounds(polynomial) {
+            return Some(found);
         }
         let (rest, links) = self.exact_reduction(polynomial)?;
         let mut last = self.sign_of_reduced(&rest, strict)?;
@@ -93,6 +99,67 @@ impl Session<'_> {
             terms: Vec::new(),
         };
         (has_constant || !strict).then(|| self.step(step).ok())?
+    }
+
+    /// The sign of a polynomial whose letters all lie between numbers, by enclosures; gives the fact that it is positive.
+    fn between_bounds(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        let terms = self.checker.statement.terms();
+        let generators = polynomial.generators().into_iter();
+        let inside: BTreeSet<Term> = generators.flat_map(|term| terms.inside(term)).collect();
+        let is_letter = |term: &Term| matches!(terms.node(*term), Node::Symbol(_));
+        let letters: Vec<Term> = inside.iter().copied().filter(is_letter).collect();
+        let is_other = |term: &Term| matches!(terms.node(*term), Node::Value(..) | Node::Imaginary);
+        if letters.is_empty() || letters.len() > MOST_LETTERS || inside.iter().any(is_other) {
+            return None;
+        }
+        let within: Vec<[usize; 2]> = letters
+            .iter()
+            .map(|letter| self.bounds(*letter))
+            .collect::<Option<_>>()?;
+        self.budget.take(STEPS_OF_ENCLOSURES).ok()?;
+        let target = polynomial.clone();
+        self.step(Inference::Between { target, within }).ok()
+    }
+
+    /// The facts that give a letter its closest bounds by numbers, from below and from above.
+    fn bounds(&self, letter: Term) -> Option<[usize; 2]> {
+        let terms = self.checker.statement.terms();
+        let mut found: [Option<(usize, Polynomial)>; 2] = [None, None];
+        for (number, fact) in self.checker.facts.iter().enumerate() {
+            if !matches!(fact.property, Property::Positive | Property::NonNegative) {
+                continue;
+            }
+            let is_own = |(monomial, _): &&(Monomial, RBig)| monomial.as_slice() == [(letter, 1)];
+            let Some((_, factor)) = fact.polynomial.terms().iter().find(is_own) else {
+                continue;
+            };
+            let size = Rational(RBig::ONE / factor.clone());
+            let size = if size < Rational::zero() { -size } else { size };
+            let scaled = fact.polynomial.scaled(&size);
+            let place = usize::from(*factor < RBig::ZERO);
+            let one = if place == 0 { -1 } else { 1 };
+            let rest = scaled.plus(&Polynomial::generator(letter).scaled(&Rational::from_integer(one)));
+            if !self.is_closed(&rest) {
+                continue;
+            }
+            // the smaller the rest, the closer the bound
+            if let Some(side) = found.get_mut(place) {
+                let is_closer = side.as_ref().is_none_or(|(_, known)| {
+                    let less = known.plus(&rest.negated());
+                    match less.as_constant() {
+                        Some(value) => value > Rational::zero(),
+                        None => sign(terms, &less) == Some(1),
+                    }
+                });
+                if is_closer {
+                    *side = Some((number, rest));
+                }
+            }
+        }
+        let [Some((low, _)), Some((high, _))] = found else {
+            return None;
+        };
+        Some([low, high])
     }
 
     fn sign_of_reduced(&mut self, polynomial: &Polynomial, strict: bool) -> Option<usize> {

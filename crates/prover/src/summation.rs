@@ -1,6 +1,7 @@
 //! The search for sums to infinity: the term as a combination of terms of the table of sums, and of differences of a
 //! function. Nothing rests on it: what it proposes is shown by lemmas.
 
+mod differences;
 mod fractions;
 mod monomial;
 
@@ -31,6 +32,11 @@ pub fn summation(of: &Tree, index: &Name, _: &Symbols) -> Option<Proposal> {
         rows,
         telescoping: sum(telescoping),
     })
+}
+
+/// Returns a function of the index whose differences are the terms of a sum.
+pub fn telescoping(of: &Tree, index: &Name) -> Option<Tree> {
+    differences::telescoping(of, index)
 }
 
 /// Returns true if a tree is no polynomial or rational function of the index.

@@ -473,11 +473,12 @@ mod tests {
             (r"\sin^{n-1} x \cos x", r"(* (^^ <\sin x> (+ n (- 1))) <\cos x>)"),
             (r"\ln^k 2x", r"(^^ <\ln (* 2 x)> k)"),
             (r"\sin^n(x)", r"(^^ <\sin x> n)"),
+            (r"\sin^{-1} x", r"<\arcsin x>"),
+            (r"\tanh^{-1}(2x) y", r"(* <\operatorname{artanh} (* 2 x)> y)"),
+            (r"\cos^{-3} x", r"(^ <\cos x> -3)"),
+            (r"\sin^{-n} x", r"(^^ <\sin x> (- n))"),
         ]);
         refuse(&[
-            (r"\sin^{-1} x", "inverse function"),
-            (r"\sinh^{-1} x", "inverse function"),
-            (r"\sin^{-n} x", "inverse function"),
             (r"\sin^{(n)} x", "behind brackets around the call"),
             (r"\arcsin^n x", "behind brackets around the call"),
             (r"\exp^n x", "behind brackets around the call"),

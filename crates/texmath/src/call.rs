@@ -225,17 +225,40 @@ impl<'a> Reader<'a> {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power_of(function)?,
             _ => None,
         };
-        match self.bracketed_argument()? {
-            Some(argument) => self.call(value(argument), power),
+        let inverse = power.as_ref().filter(|power| power.is_minus_one());
+        let inverse = inverse.and_then(|_| function.inverse());
+        let (argument, part) = match self.bracketed_argument()? {
+            Some(argument) => (argument.clone(), self.call(value(argument), power)?),
             None => {
                 let argument = self.bare_argument(function)?;
                 // without brackets a power behind it would be one of the argument, even behind braces
-                Ok(Part {
-                    form: Form::Bare,
-                    ..raise(value(argument), power)
-                })
+                let form = Form::Bare;
+                (
+                    argument.clone(),
+                    Part {
+                        form,
+                        ..raise(value(argument), power)
+                    },
+                )
             }
-        }
+        };
+        let Some(inverse) = inverse else {
+            return Ok(part);
+        };
+        let taken = *inverse.of(argument, at);
+        let readings = vec![OtherReading {
+            taken: taken.clone(),
+            other: *part.tree,
+        }];
+        self.doubt(
+            at,
+            DoubtKind::Inverse {
+                of: function.command,
+                readings,
+            },
+        );
+        let tree = Box::new(taken);
+        Ok(Part { tree, ..part })
     }
 
     /// The base of a logarithm, as in `\log_2 x`.
@@ -256,7 +279,8 @@ impl<'a> Reader<'a> {
         let in_brackets = is(1, Kind::BraceOpen) && matches!(self.look(2).map(|token| token.kind), Some(Kind::Open(_)));
         let power = self.power()?;
         match function.has_powers && !in_brackets {
-            true => power.map(Exponent::of_function).transpose(),
+            // a symbol is a power too, as in `\sin^n x`
+            true => Ok(power),
             false => power.map(Exponent::before_argument).transpose(),
         }
     }
@@ -494,10 +518,8 @@ mod tests {
         refuse(&[
             (r"f^n(t)", "behind brackets around the call"),
             (r"f^{-a}(t)", "behind brackets around the call"),
-            (r"\cos^{-1}(x)", "inverse function"),
             (r"\ln_2(x)", "only a name"),
             (r"\log_12 x", "write { }"),
-            (r"\log_a^{-1} x", "inverse function"),
             ("arcsinh(x)", "a bracket behind it"),
         ]);
     }

@@ -45,6 +45,11 @@ pub enum DoubtKind {
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
     PowerOfFunction { of: Name, readings: Vec<OtherReading> },
+    /// `\sin^{-1} x`, taken as the inverse function.
+    Inverse {
+        of: &'static str,
+        readings: Vec<OtherReading>,
+    },
     /// `x^{n/2}`, taken of bases that are not negative.
     PowerOfSign { base: Tree, exponent: Tree },
     /// `x^{1/3}`, taken of bases that are not negative: the cube root is one of all real numbers.
@@ -89,6 +94,7 @@ impl DoubtKind {
             | Self::Reach { readings, .. }
             | Self::Nesting { readings, .. }
             | Self::PowerOfFunction { readings, .. }
+            | Self::Inverse { readings, .. }
             | Self::DerivativeOfValue { readings, .. }
             | Self::DerivativeBeforeBracket { readings, .. } => readings,
             _ => &[],
@@ -190,6 +196,7 @@ impl DoubtKind {
                 place: format!("the power of `{of}` before its argument"),
                 meanings: ["of the value".to_owned(), format!("`{of}` applied again")],
             },
+            Self::Inverse { of, .. } => Choice::of(format!("`{of}^{{-1}}`"), "the inverse function", "a power"),
             Self::OddRoot { power } => Choice::of(
                 format!("`{power}`"),
                 "of numbers that are not negative alone",

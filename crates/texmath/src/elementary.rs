@@ -446,6 +446,11 @@ impl Elementary {
         self.command.strip_prefix('\\').filter(|_| self.is_operator)
     }
 
+    /// The function that is its inverse.
+    pub(super) fn inverse(&self) -> Option<&'static Self> {
+        TABLE.iter().find(|row| row.inverse_of == Some(self.command))
+    }
+
     /// Returns true for a real or an imaginary part and for the argument of a complex number.
     pub fn is_part(&self) -> bool {
         self.kind == Kind::Command

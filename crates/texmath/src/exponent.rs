@@ -78,22 +78,9 @@ impl Exponent {
         }
     }
 
-    /// Between an elementary function and its argument a symbol is a power too, as in `\sin^n x`.
-    pub(super) fn of_function(self) -> Result<Self, Fault> {
-        let is_negative = |tree: &Tree| match tree {
-            Tree::Sum(terms) => matches!(terms.first(), Some(Tree::Negate(_))),
-            tree => matches!(tree, Tree::Negate(_)),
-        };
-        match &self.value {
-            Value::Real(exponent) if is_negative(exponent) => Err(self.inverse()),
-            Value::Real(_) => Ok(self),
-            Value::Half(_) => self.before_argument(),
-        }
-    }
-
-    fn inverse(&self) -> Fault {
-        let instead = "write the power behind brackets around the call, or the inverse function's own name";
-        Fault::ambiguous(self.at, "a negative power of a function", instead)
+    /// Returns true for -1, which may mark an inverse function.
+    pub(super) fn is_minus_one(&self) -> bool {
+        matches!(self.value, Value::Half(-2))
     }
 
     /// Before an argument a negative power might mean the inverse function, a symbolic one an iterate.
@@ -106,7 +93,10 @@ impl Exponent {
             _ => false,
         };
         match &self.value {
-            Value::Half(twice) if *twice < 0 => Err(self.inverse()),
+            Value::Half(twice) if *twice < 0 => {
+                let instead = "write the power behind brackets around the call, or the inverse function's own name";
+                Err(Fault::ambiguous(self.at, "a negative power of a function", instead))
+            }
             Value::Real(exponent) if !positive(exponent) => {
                 let instead =
                     "write it behind brackets around the call, [f(t)]^n, if no iterate or derivative is meant";

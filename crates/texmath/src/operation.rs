@@ -3,7 +3,7 @@
 use super::error::Fault;
 use super::lexer::NO_BRACKET;
 use super::names::BOLD;
-use super::part::{DIFFERENTIAL, Form, Part, is_differential, starts_factor};
+use super::part::{DIFFERENTIAL, Form, Part, is_differential, product, starts_factor};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Rows, Token};
 use super::{
@@ -490,24 +490,36 @@ impl<'a> Reader<'a> {
             let instead = "end it with dx, or with whatever letter it is by";
             return Err(Fault::unsupported(token.at, "an integral without its letter", instead));
         };
-        let Some(of) = without_differential(body) else {
+        let Some(mut of) = without_differential(body) else {
             let instead = "write what is integrated, in brackets if it is a sum, and dx behind it";
             return Err(Fault::ambiguous(token.at, "where this integral ends", instead));
         };
+        let ends_outer = self.integral == Some(None) && self.differential_ahead().is_some();
+        let goes_on = self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash);
+        let (mut behind, mut leads) = (None, false);
+        if goes_on && !ends_outer {
+            let is_first = matches!(&of, Tree::Number(one) if *one == Rational::from_integer(1));
+            let instead = "write brackets around the integral, or dx behind all that is integrated";
+            let fault = Fault::ambiguous(self.here(), "a factor behind an integral", instead);
+            if self.peek_kind() == Some(Kind::Slash) {
+                return Err(fault);
+            }
+            // \int dx f(x) is of what follows; behind \int f(x) dx the integral has ended
+            let rest = *self.term()?.tree;
+            match (is_first, mentions(&rest, &by)) {
+                (true, true) => (of, leads) = (rest, true),
+                (false, false) => behind = Some(rest),
+                _ => return Err(fault),
+            }
+        }
         if (self.integral.is_some() && limits.is_none()) || (limits.is_none() && holds_integral(&of)) {
             let instead = "write both limits of each";
             return Err(Fault::unsupported(token.at, "an integral within an integral", instead));
         }
-        let ends_outer = self.integral == Some(None) && self.differential_ahead().is_some();
-        let goes_on = self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash);
-        if goes_on && !ends_outer {
-            let instead = "write brackets around the integral, or dx behind all that is integrated";
-            return Err(Fault::ambiguous(self.here(), "a factor behind an integral", instead));
-        }
         if !self.integrated.contains(&by) {
             self.integrated.push(by.clone());
         }
-        let inner = nested(&of, limits.as_ref(), &by).cloned();
+        let inner = nested(&of, limits.as_ref(), &by).filter(|_| !leads).cloned();
         let tree = boxed(Operation::Integral { of, by, limits }, token.at);
         if let Some(inner) = inner {
             let other = from_outside(&tree);
@@ -515,6 +527,10 @@ impl<'a> Reader<'a> {
             let readings = other.map(|other| OtherReading { taken, other }).into_iter().collect();
             self.doubt(token.at, DoubtKind::Nesting { inner, readings });
         }
+        let tree = match behind {
+            Some(rest) => product(vec![*tree, rest]),
+            None => tree,
+        };
         Ok(Part { tree, form: Form::Knot })
     }
 
@@ -563,7 +579,7 @@ impl<'a> Reader<'a> {
             return Err(Fault::unsupported(at, "this bracket", instead));
         }
         self.refuse_running(of, at)?;
-        if also.is_none() && may_be_power(&high) {
+        if named.is_some() && also.is_none() && may_be_power(&high) {
             self.doubt(at, DoubtKind::Difference { upper: high.clone() });
         }
         let by = match named.or(also) {
@@ -1366,6 +1382,16 @@ mod tests {
                 r"\int_0^1 \frac{dx}{1 + x^2} + C",
                 r"\int_{0}^{1} \frac{1}{1 + x^2} \, dx + C",
             ),
+            (r"\int_0^1 dx \, x y + 1", r"\int_{0}^{1} x y \, dx + 1"),
+            (
+                r"\int_0^a dx \int_0^b dy \, x y",
+                r"\int_{0}^{a} \int_{0}^{b} x y \, dy \, dx",
+            ),
+            (
+                r"\int_0^1 x \, dx \int_0^1 y \, dy",
+                r"(\int_{0}^{1} x \, dx) (\int_{0}^{1} y \, dy)",
+            ),
+            (r"\int_0^1 x \, dx \, y", r"(\int_{0}^{1} x \, dx) y"),
             (
                 r"\int_0^a \int_0^b x y \, dy \, dx",
                 r"\int_{0}^{a} \int_{0}^{b} x y \, dy \, dx",
@@ -1423,9 +1449,10 @@ mod tests {
             (r"(a x)'", r"write \frac{d}{dx}"),
             ("(a)'", r"write \frac{d}{dx}"),
             (r"\int x", "without its letter"),
+            (r"\int_0^1 x \, dx \, x", "a factor behind an integral"),
+            (r"\int_0^1 dx \, y", "a factor behind an integral"),
             (r"\int x + 1 dx", "without its letter"),
             (r"\int (x dx + 1)", "where this integral ends"),
-            (r"\int x dx y", "a factor behind an integral"),
             (r"\int_0 x dx", "with one limit"),
             (r"\int \int x dx dy", "within an integral"),
             (r"[a x]_0^1", "write the letter"),

@@ -107,6 +107,10 @@ impl Visit<'_> {
                 (self.fact)(low);
                 (self.fact)(high);
             }
+            Inference::Between { target, within } => {
+                (self.polynomial)(target);
+                within.iter_mut().flatten().for_each(|fact| (self.fact)(fact));
+            }
             Inference::Congruence { left, right } => {
                 (self.term)(left);
                 (self.term)(right);

@@ -2,9 +2,11 @@
 
 use super::digits::{Value, value};
 use super::forge::*;
-use std::collections::HashMap;
+use proptest::prelude::*;
+use std::collections::{BTreeSet, HashMap};
 use vibro_audit::kernel::{
-    Certificate, Checker, Elementary, Inference, LawSource, Node, Polynomial, Property, Statement, Summand, Witness,
+    Certificate, Checker, Elementary, Expansion, Inference, LawSource, Node, Polynomial, Property, Statement, Summand,
+    Witness,
 };
 use vibro_audit::number::{Field, Rational};
 
@@ -353,6 +355,78 @@ fn what_is_squeezed_is_neither_positive_nor_negative() {
     assert!(!squeezed(Property::NonNegative, Property::Nonzero));
     assert!(!squeezed(Property::Nonzero, Property::NonNegative));
     assert!(!with_facts(|_| Inference::Squeezed { low: 0, high: 1 }));
+}
+
+/// Returns true if a sum of terms is shown to be positive where x and y lie between the bounds that are given.
+fn between(target: &str, bounds: &[&str], within: Vec<[usize; 2]>) -> bool {
+    let mut own = statement("parameters = ['x', 'y', 'z']", bounds, &format!("{target} = 0"));
+    let (_, target) = own.goal()[0];
+    let target = Expansion::new(BTreeSet::new(), 100_000)
+        .of(own.terms(), target)
+        .unwrap();
+    assert!(target.divisors.is_empty());
+    let mut checker = Checker::new(&mut own, &Certificate::default(), 100_000);
+    for given in 0..bounds.len() {
+        checker.apply(&Inference::Given(given)).unwrap();
+    }
+    let target = target.numerator;
+    checker.apply(&Inference::Between { target, within }).is_ok()
+}
+
+#[test]
+fn what_is_positive_between_bounds_is_so_at_each_value() {
+    let unit = ["x \\ge 0", "x \\le 1"];
+    let is_positive = |target: &str| between(target, &unit, vec![[0, 1]]);
+    assert!(is_positive(r"x^2 - x + 1"));
+    assert!(is_positive(r"\cos x"));
+    assert!(is_positive(r"\sqrt{x} - x + \frac{1}{100}"));
+    assert!(is_positive(r"\exp(x) - x"));
+    // 0 at an end, below 0 in between or beyond, without a value at some, without a bound
+    for wrong in [
+        r"x",
+        r"1 - x",
+        r"x^2 - x + \frac{1}{4}",
+        r"x^2 - x + \frac{6}{25}",
+        r"\cos(2 x)",
+        r"2 + \sqrt{x - \frac{1}{2}}",
+        r"2 + \arcsin(2 x)",
+        r"x^2 + 1 + y^2",
+        r"-1",
+    ] {
+        assert!(!is_positive(wrong), "{wrong}");
+    }
+    let square = ["x > 0", "x < 1", "y \\ge x", "y \\le 2", "y > 1", "z \\ne 0"];
+    let target = r"2 y - x + \sin(x y)";
+    assert!(between(target, &square, vec![[0, 1], [4, 3]]));
+    assert!(!between(target, &square, vec![[0, 1]]));
+    assert!(!between(target, &square, vec![[1, 0], [4, 3]]));
+    assert!(!between(target, &square, vec![[0, 1], [2, 3]]));
+    assert!(!between(target, &square, vec![[0, 1], [4, 5]]));
+    assert!(!between(target, &square, vec![[0, 1], [0, 1]]));
+    assert!(!between(target, &square, vec![[0, 1], [4, 9]]));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn no_polynomial_that_fails_at_a_point_is_shown_to_be_positive_between_bounds(
+        coefficients in proptest::collection::vec(-9_i64..10, 6), low in -3_i64..2, width in 1_i64..4, part in 0_u32..=64,
+    ) {
+        let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|n| coefficients[n]);
+        let target = format!(r"({a}) + ({b}) x + ({c}) x^2 + ({d}) x^3 + ({e}) \sin x + ({f}) \exp x");
+        let high = low + width;
+        let bounds = [format!(r"x \ge {low}"), format!(r"x \le {high}")];
+        let is_shown = between(&target, &bounds.each_ref().map(String::as_str), vec![[0, 1]]);
+        let value = |x: f64| {
+            let powers = a as f64 + b as f64 * x + c as f64 * x * x + d as f64 * x * x * x;
+            powers + e as f64 * x.sin() + f as f64 * x.exp()
+        };
+        let at = value(low as f64 + width as f64 * f64::from(part) / 64.0);
+        prop_assert!(!is_shown || at > -1e-9, "{target} from {low} to {high}: {at}");
+        let least = (0..=1000).map(|n| value(low as f64 + width as f64 * f64::from(n) / 1000.0)).fold(f64::MAX, f64::min);
+        prop_assert!(is_shown || least < 0.05, "{target} from {low} to {high} is not shown: {least}");
+    }
 }
 
 #[test]

@@ -242,6 +242,15 @@ pub(super) fn is_linear(tree: &Tree) -> bool {
     linear(tree).is_some()
 }
 
+/// The least value of such a tree by the least values of its letters, which are added.
+pub(super) fn least_value(tree: &Tree, least: &dyn Fn(&Name) -> Option<i64>) -> Option<i64> {
+    let (letters, constant) = linear(tree)?;
+    letters.iter().try_fold(constant, |sum, (letter, factor)| {
+        let own = (*factor > 0).then(|| least(letter))??;
+        sum.checked_add(factor.checked_mul(own)?)
+    })
+}
+
 /// Whether a tree is such with letters that are among these.
 pub(super) fn is_linear_in(tree: &Tree, letters: &[Name]) -> bool {
     linear(tree).is_some_and(|(own, _)| own.keys().all(|name| letters.contains(name)))

@@ -7,6 +7,7 @@ use super::derivative::mentions;
 use super::evaluate::{WithFactorials, but_factorials};
 use super::integers::{free_integers, whole};
 use super::{Goal, Rule, defined, factorial, fresh, instances, rewritten, telescope};
+use numbers::{Field, Rational};
 use texmath::{
     Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, any_side, holds, index_of,
     mapped, rewrite, subscript_of,
@@ -203,7 +204,7 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
     }
     let bases = first..=first + later;
     for base in bases {
-        let at_base = instances::at(statements, &symbols, &[(letter, base)]);
+        let at_base = instances::at(statements, &symbols, &[(letter, Rational::from_integer(base))]);
         let at_base = at_base.ok_or("the first value is not admissible")?;
         goals.extend(with_factorials(&at_base, &symbols, format!("{letter} = {base}"))?);
     }

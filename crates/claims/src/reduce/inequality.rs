@@ -753,7 +753,9 @@ impl Question<'_> {
                 self.push(DEFINED, condition, &open, &mut goals);
             }
         }
-        let kind = match self.is_strict {
+        // of a line that is positive at one end and not negative at the other each value between is positive
+        let may_be_zero_at_ends = [low, high].into_iter().all(|bound| self.range.excludes(bound));
+        let kind = match self.is_strict && may_be_zero_at_ends {
             true => Relation::Less,
             false => Relation::LessOrEqual,
         };

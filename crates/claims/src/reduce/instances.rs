@@ -1,20 +1,28 @@
-//! A claim over integers at numbers: what must hold if the claim does.
+//! A claim at numbers for its integers, or for the letters in its integrals: what must hold if the claim does.
 
+use super::super::elaborate;
 use super::super::exponents::bases;
 use super::super::premise::Statements;
 use super::build::integer;
 use super::evaluate::evaluated;
 use super::integers::free_integers;
-use super::integral::by_antiderivatives;
+use super::integral::{are_numbers, by_antiderivatives, outermost};
 use super::{Goal, Proposals, Reduced, Rule, rewritten, trees};
 use numbers::{Field, Rational};
-use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, number_of, rewrite};
+use std::collections::BTreeSet;
+use texmath::{
+    At, Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, mapped, names_in, number_of, rewrite,
+};
 
 /// The highest number that is put in, the most letters, and the most goals.
 const HIGHEST: i64 = 7;
 const MOST_LETTERS: usize = 3;
 const MOST_GOALS: usize = 8;
 const MOST_WITH_INTEGRALS: usize = 4;
+
+/// The numbers that are put in for a letter in an integral: where it stands in an exponent, and elsewhere.
+const IN_EXPONENTS: [(i64, i64); 4] = [(1, 2), (3, 2), (1, 3), (5, 4)];
+const ELSEWHERE: [(i64, i64); 6] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (1, 5)];
 
 /// The claim at small numbers for its integers, in all the places where they stand.
 pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
@@ -71,7 +79,8 @@ fn first_found<T>(
             if all.len() >= most {
                 return all;
             }
-            let pairs: Vec<(&Name, i64)> = letters.iter().zip(values).collect();
+            let values = values.into_iter().map(Rational::from_integer);
+            let pairs: Vec<(&Name, Rational)> = letters.iter().zip(values).collect();
             if let Some(instance) = at(statements, symbols, &pairs) {
                 let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
                 all.extend(found(&instance, part.join(", ")));
@@ -100,20 +109,117 @@ fn tuples(length: usize, total: i64) -> Vec<Vec<i64>> {
         .collect()
 }
 
-/// The statements with numbers for letters; `None` where these are not admissible.
-pub(super) fn at(statements: &Statements, symbols: &Symbols, pairs: &[(&Name, i64)]) -> Option<Statements> {
-    let excluded = |name: &Name, value: i64| {
-        (value <= 0 && (symbols.is_positive(name) || symbols.is_at_most_one(name)))
-            || (value < 0 && symbols.is_nonnegative(name))
-            || (value == 0 && symbols.is_nonzero(name))
-            || (value > 1 && symbols.is_at_most_one(name))
+/// The claim at numbers for the letters in its integrals, each of which is then a number; nothing where other operations stand
+/// in it.
+pub(super) fn of_integrals(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
+    let integrals: Vec<Tree> = trees(statements).into_iter().flat_map(outermost).map(as_tree).collect();
+    let mut names = BTreeSet::new();
+    integrals.iter().for_each(|tree| names_in(tree, &mut names));
+    names.retain(|name| integrals.iter().any(|tree| tree.has_free(name)));
+    let is_known = |name: &Name| texmath::is_constant(name) && !symbols.declares(name);
+    let letters: Vec<Name> = names.into_iter().filter(|name| !is_known(name)).collect();
+    let integers = super::integers::integers(statements, symbols);
+    let is_real = |name: &Name| (symbols.is_parameter(name) || integers.contains(name)) && !symbols.is_generic(name);
+    let is_kept = |name: &Name| super::stands_in_symbols(symbols, name) || !is_real(name);
+    if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(is_kept) {
+        return Vec::new();
+    }
+    let is_positive = |base: &Tree| match base {
+        Tree::Symbol(name, _) => is_known(name),
+        base => number_of(base).is_some_and(|value| value > Rational::from_integer(0)),
     };
-    if pairs.iter().any(|(name, value)| excluded(name, *value)) {
+    let mut powers = Vec::new();
+    for tree in trees(statements) {
+        any(tree, &mut |node| {
+            if let Tree::RealPower(base, exponent, _) = node
+                && !is_positive(base)
+            {
+                powers.push(exponent.as_ref().clone());
+            }
+            false
+        });
+    }
+    let numbers = |letter: &Name| match powers.iter().any(|exponent| exponent.has_free(letter)) {
+        _ if integers.contains(letter) => vec![(0, 1), (1, 1), (2, 1), (3, 1)],
+        true => IN_EXPONENTS.to_vec(),
+        false => ELSEWHERE.to_vec(),
+    };
+    let numbers: Vec<Vec<(i64, i64)>> = letters.iter().map(numbers).collect();
+    let longest = numbers.iter().map(Vec::len).max().unwrap_or_default();
+    let mut goals = Vec::new();
+    for total in 0..longest * letters.len() {
+        for places in tuples(letters.len(), i64::try_from(total).unwrap_or_default()) {
+            if goals.len() >= MOST_WITH_INTEGRALS {
+                return goals;
+            }
+            let number = |(numbers, place): (&Vec<(i64, i64)>, i64)| {
+                let (above, below) = *numbers.get(usize::try_from(place).ok()?)?;
+                Rational::new(above, below)
+            };
+            let values: Option<Vec<Rational>> = numbers.iter().zip(places).map(number).collect();
+            let Some(values) = values else {
+                continue;
+            };
+            let pairs: Vec<(&Name, Rational)> = letters.iter().zip(values).collect();
+            goals.extend(number_goal(statements, symbols, &pairs, &powers));
+        }
+    }
+    goals
+}
+
+/// The claim at numbers, where its integrals are numbers that have a value there.
+fn number_goal(
+    statements: &Statements,
+    symbols: &Symbols,
+    pairs: &[(&Name, Rational)],
+    exponents: &[Tree],
+) -> Option<Goal> {
+    // a power has a value at negative numbers too where its exponent is written as an integer
+    let is_of_real = |exponent: &&Tree| {
+        let mut moved = pairs.iter().filter(|(name, _)| exponent.has_free(name));
+        moved.any(|(name, _)| !symbols.is_integer(name))
+    };
+    let becomes_whole = |exponent: &Tree| {
+        let there = rewrite(exponent, &|name| {
+            let pair = pairs.iter().find(|(letter, _)| *letter == name);
+            pair.map(|(_, value)| Tree::Number(value.clone()))
+        });
+        number_of(&there).is_none_or(|value: Rational| value.0.is_int())
+    };
+    if exponents.iter().filter(is_of_real).any(becomes_whole) {
+        return None;
+    }
+    let instance = at(statements, symbols, pairs)?;
+    if !are_numbers(&instance, symbols) {
+        return None;
+    }
+    let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let goal = Goal::of(&instance, symbols, part.join(", "));
+    elaborate::questions(&goal.statements, &goal.symbols)
+        .is_ok()
+        .then_some(goal)
+}
+
+fn as_tree(operation: Operation) -> Tree {
+    Tree::Operation(Box::new(operation), At::default())
+}
+
+/// The statements with numbers for letters; `None` where these are not admissible.
+pub(super) fn at(statements: &Statements, symbols: &Symbols, pairs: &[(&Name, Rational)]) -> Option<Statements> {
+    let (zero, one) = (Rational::from_integer(0), Rational::from_integer(1));
+    let excluded = |name: &Name, value: &Rational| {
+        (*value <= zero && (symbols.is_positive(name) || symbols.is_at_most_one(name)))
+            || (*value < zero && symbols.is_nonnegative(name))
+            || (*value == zero && symbols.is_nonzero(name))
+            || (*value > one && symbols.is_at_most_one(name))
+            || (symbols.is_integer(name) && !value.0.is_int())
+    };
+    if pairs.iter().any(|(name, value)| excluded(name, value)) {
         return None;
     }
     let put_in = |name: &Name| {
         let pair = pairs.iter().find(|(letter, _)| *letter == name);
-        pair.map(|(_, value)| integer(*value))
+        pair.map(|(_, value)| Tree::Number(value.clone()))
     };
     let mut instance = rewritten(statements, Rule::IntegerInstances, &|tree| {
         folded(&rewrite(tree, &put_in))

@@ -531,8 +531,14 @@ impl Definite<'_> {
             true => Vec::new(),
             false => self.places(&bars),
         };
-        if bars.is_empty() || (places.is_empty() && self.ends().is_none()) {
+        if bars.is_empty() {
             return self.value();
+        }
+        if places.is_empty() && self.ends().is_none() {
+            return match self.by_symmetry()? {
+                Some(found) => Ok(Some(found)),
+                None => self.value(),
+            };
         }
         self.sum_over(&places, &|piece| {
             let (of, signs) = piece.without_bars();
@@ -659,8 +665,80 @@ impl Definite<'_> {
         }
         match self.proposals.antiderivative(&self.of, self.letter, self.symbols) {
             Some(whole) => self.by_antiderivative(&whole, Vec::new()).map(Some),
-            None => self.by_reflection(),
+            None => {
+                if let Some(found) = self.by_table()? {
+                    return Ok(Some(found));
+                }
+                match self.by_symmetry()? {
+                    Some(found) => Ok(Some(found)),
+                    None => self.by_reflection(),
+                }
+            }
         }
+    }
+
+    /// Twice the integral over the upper half of an interval around 0, where the integrand is even.
+    fn by_symmetry(&self) -> Result<Option<Value>, String> {
+        let [low, high] = self.limits;
+        let ends = match (infinity(low), infinity(high)) {
+            (Some(false), Some(true)) => None,
+            (None, None) => Some(Equation::between(low.clone(), negative(high.clone()))),
+            _ => return Ok(None),
+        };
+        let is_around = |ends: &Equation| is_likely_zero(&difference(ends.left.clone(), ends.right.clone()));
+        let turned = rewrite(&self.of, &|name| (name == self.letter).then(|| negative(symbol(name))));
+        let is_even = is_likely_zero(&difference(self.of.clone(), turned.clone()));
+        if !is_even || !mentions(&self.of, self.letter) || !ends.iter().all(is_around) {
+            return Ok(None);
+        }
+        let zero = integer(0);
+        let half = Definite {
+            limits: [&zero, high],
+            ..self.clone()
+        };
+        let Some(mut value) = half.over_pieces()? else {
+            return Ok(None);
+        };
+        let (rule, about) = (Rule::IntegralReflection, "an even integrand");
+        let mut within = self.conditions(&[&self.of, &turned])?;
+        within.push(Equation::between(turned, self.of.clone()));
+        let interval = half.interval(false)?;
+        value.lemmas.extend(self.lemmas(rule, about, within, interval)?);
+        let ends = ends.into_iter().collect();
+        value.lemmas.extend(self.lemmas(rule, about, ends, Vec::new())?);
+        value.tree = product(vec![integer(2), value.tree]);
+        Ok(Some(value))
+    }
+
+    /// The value as a multiple of an integral of the table.
+    fn by_table(&self) -> Result<Option<Value>, String> {
+        let Some(found) = self.proposals.known_integral(&self.of, self.letter, self.limits) else {
+            return Ok(None);
+        };
+        let parts = found.letters.iter().chain([&found.factor]);
+        let mut needed = Vec::new();
+        for (own, limit) in found.row.limits.iter().zip(self.limits) {
+            match (infinity(own), infinity(limit)) {
+                (None, None) => needed.push(Equation::between(limit.clone(), own.clone())),
+                (own, limit) if own == limit => {}
+                _ => return Ok(None),
+            }
+        }
+        if parts.into_iter().any(|part| mentions(part, self.letter)) {
+            return Ok(None);
+        }
+        needed.extend(found.conditions());
+        let (rule, about) = (Rule::IntegralTable, "a row of the table");
+        let mut lemmas = self.lemmas(rule, about, needed, Vec::new())?;
+        let row = product(vec![found.factor.clone(), found.integrand(self.letter)]);
+        let mut within = self.conditions(&[&self.of, &row])?;
+        within.push(Equation::between(self.of.clone(), row));
+        lemmas.extend(self.lemmas(rule, about, within, self.interval(false)?)?);
+        Ok(Some(Value {
+            tree: product(vec![found.factor.clone(), found.value()]),
+            lemmas,
+            converging: Vec::new(),
+        }))
     }
 
     /// Half of the integral of the sum of the integrand and its reflection at the middle of a finite interval, on which it is
@@ -685,13 +763,17 @@ impl Definite<'_> {
         both.by_antiderivative(&whole, lemmas).map(Some)
     }
 
-    /// The integral by an antiderivative on each piece between places at which it has no value. Within a piece the integrand is
+    /// The integral by an antiderivative on each piece between places at which it has no value or no slope. Within a piece the integrand is
     /// continuous and its slope; it is continuous up to an end, or has a limit there.
     fn by_antiderivative(&self, whole: &Tree, lemmas: Vec<Goal>) -> Result<Value, String> {
         if nodes_of(whole) > LARGEST {
             return Err("the value of an integral is too large".to_owned());
         }
-        let divisors = self.conditions(&[whole])?.into_iter();
+        let by = By {
+            symbols: self.symbols,
+            name: self.letter,
+        };
+        let divisors = self.conditions(&[whole, &by.of(whole)?])?.into_iter();
         let divisors =
             divisors.filter(|own| own.relation != Relation::GreaterOrEqual && mentions(&own.left, self.letter));
         let divisors: Vec<Tree> = divisors.map(|own| difference(own.left, own.right)).collect();

@@ -14,6 +14,7 @@ mod derivative;
 mod divisors;
 mod evaluate;
 mod factorial;
+mod finite;
 mod gaussian;
 mod germ;
 mod induction;
@@ -22,6 +23,7 @@ mod infinite;
 mod instances;
 mod integers;
 mod integral;
+mod known;
 mod law;
 mod leibniz;
 mod limit;
@@ -48,6 +50,7 @@ pub use conditions::under_conditions;
 pub use divisors::divisors;
 pub use inequality::alternatives as other_ways;
 pub use infinite::{Multiple, Proposal};
+pub use known::{KnownIntegral, Matched, known_integrals};
 pub use rule::{Rule, Rules};
 pub use table::Row;
 pub use thin::{thin_domains, values};
@@ -68,6 +71,16 @@ pub trait Proposals {
     /// Returns numbers between two others, in ascending order, at which a tree in one letter is 0.
     fn zeros(&self, _of: &Tree, _by: &Name, _between: [&Tree; 2]) -> Vec<Tree> {
         Vec::new()
+    }
+
+    /// Returns a definite integral as a multiple of one of known value.
+    fn known_integral(&self, _of: &Tree, _by: &Name, _limits: [&Tree; 2]) -> Option<Matched> {
+        None
+    }
+
+    /// Returns a function of an index whose differences are the terms of a sum.
+    fn telescoping(&self, _term: &Tree, _index: &Name, _symbols: &Symbols) -> Option<Tree> {
+        None
     }
 
     /// Returns the terms of a sum to infinity as those of known sums and differences; its index runs from 0 on.
@@ -221,7 +234,12 @@ fn without_operations(
         }
         return Ok(Some(reduced));
     }
+    let (written, closed) = match finite::closed(&written, symbols, proposals) {
+        Some(closed) => (closed.statements, closed.lemmas),
+        None => (written, Vec::new()),
+    };
     let (written, mut lemmas) = roots::as_powers(&written, symbols)?;
+    lemmas.extend(closed);
     let laws = law::Laws {
         statements: &written,
         symbols,
@@ -356,7 +374,8 @@ fn over_an_index(
     if sequences::is_spoken_of(statements, symbols) {
         return of_sequences(statements, symbols);
     }
-    let necessary = instances::of(statements, symbols);
+    let mut necessary = instances::of(statements, symbols);
+    necessary.extend(instances::of_integrals(statements, symbols));
     let (sufficient, why) = match induction::goals(statements, symbols) {
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),

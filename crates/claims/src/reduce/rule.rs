@@ -30,6 +30,8 @@ pub enum Rule {
     IntegralConverges,
     /// Powers times exponentials are integrated by the gamma function.
     IntegralGamma,
+    /// An integral is a multiple of one in a table.
+    IntegralTable,
     /// An integral is differentiated by a letter in its limits or its integrand.
     IntegralLeibniz,
     /// The integral is half of that of the integrand and its reflection at the middle of the interval.
@@ -134,6 +136,7 @@ impl fmt::Display for Rule {
             Self::IntegralPieces => "integral: pieces",
             Self::IntegralConverges => "integral: converges",
             Self::IntegralGamma => "integral: gamma function",
+            Self::IntegralTable => "integral: table",
             Self::IntegralLeibniz => "integral: Leibniz",
             Self::IntegralReflection => "integral: reflection",
             Self::ValueRelations => "values: relations",

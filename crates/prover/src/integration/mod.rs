@@ -6,6 +6,7 @@ mod ansatz;
 mod candidates;
 mod field;
 mod fraction;
+mod known;
 mod linear;
 mod quartics;
 mod tangents;
@@ -24,6 +25,7 @@ use texmath::{Name, Symbols, Tree, any, mapped, names_in, nodes_of, speaks_of, w
 use tower::{Kind, Tower, VARIABLE, letter};
 use tree::{integer, power, product, quotient, sum, symbol, value};
 
+pub use known::known_integral;
 pub use zeros::zeros;
 
 /// The steps of one search, and of one attempt in it.
