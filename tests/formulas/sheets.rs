@@ -1206,6 +1206,48 @@ fn an_integral_of_numbers_is_enclosed() {
 }
 
 #[test]
+fn an_improper_integral_of_numbers_is_enclosed() {
+    let decide = |tex: &str| decide("parameters = ['a']", tex).0;
+    for (tex, wanted) in [
+        (r"\int_0^\infty e^{-x^2} dx = 1", Verdict::Refuted),
+        (r"\int_0^1 \frac{\ln x}{1+x} dx \approx -0.822467", Verdict::Proved),
+        (r"\int_0^1 \frac{\ln x}{1+x} dx \approx -0.822476", Verdict::Refuted),
+        (r"\int_0^\infty \frac{dx}{1+x^4} = 1", Verdict::Refuted),
+        (r"\int_0^1 \frac{\sin x}{x} dx \approx 0.946083", Verdict::Proved),
+        (r"\int_0^1 \frac{dx}{\sqrt{1-x^3}} \approx 1.40218", Verdict::Proved),
+        (
+            r"\int_0^\infty \frac{x^3}{e^x-1} dx = \frac{\pi^4}{12}",
+            Verdict::Refuted,
+        ),
+        (r"\int_0^{1} x^{x} dx \approx 0.783431", Verdict::Proved),
+        (r"\int_0^{\pi/2} \ln(\cos x) dx \approx -1.0888", Verdict::Proved),
+        (r"\int_{-\infty}^\infty \frac{dx}{1+x^6} = 2", Verdict::Refuted),
+        (r"\int_{-\infty}^\infty \frac{dx}{\cosh x} > 3.1415", Verdict::Proved),
+        (r"\int_\infty^0 e^{-x^3} dx \approx -0.8930", Verdict::Proved),
+        (
+            r"\int_0^\infty \frac{\sin^2 x}{x^2} dx = \frac{\pi}{3}",
+            Verdict::Refuted,
+        ),
+        (
+            r"\int_{-2}^{14} \frac{dx}{\sqrt[4]{x+2}} = \frac{16}{3}",
+            Verdict::Refuted,
+        ),
+        (
+            r"a + \int_0^\infty \frac{\ln x}{1+x^2} dx = a + \frac{1}{10}",
+            Verdict::Refuted,
+        ),
+        // without a value, or with one that is no absolute one, there is nothing to say
+        (r"\int_1^\infty \frac{dx}{x} < 100", Verdict::Undecided),
+        (r"\int_0^\infty e^{x} dx < 100", Verdict::Undecided),
+        (r"\int_0^1 \frac{\cos x}{x} dx < 100", Verdict::Undecided),
+        (r"\int_{-\infty}^\infty \frac{dx}{x^2} < 100", Verdict::Undecided),
+        (r"\int_0^\infty \frac{\sin x}{\sqrt{1+x}} dx = 2", Verdict::Undecided),
+    ] {
+        assert_eq!(decide(tex), wanted, "{tex}");
+    }
+}
+
+#[test]
 fn a_sum_of_squares_is_not_negative_as_it_is_written() {
     let decide = |tex: &str| decide("parameters = ['a', 'b']", tex).0;
     assert_eq!(decide(r"\cos^2 a \sin^2 b + \cos^2 b \ge 0"), Verdict::Proved);

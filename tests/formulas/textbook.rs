@@ -35,7 +35,7 @@ fn holds(text: &str, [all, sampled]: [usize; 2]) {
 
 #[test]
 fn no_integral_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/integrals.toml"), [234, 65]);
+    holds(include_str!("../textbook/integrals.toml"), [247, 78]);
 }
 
 #[test]

@@ -3,11 +3,13 @@
 use super::definition::Local;
 use super::determining::determining;
 use super::premise::Statements;
+use super::reduce::infinity;
 use kernel::{
     Draft, Elementary, Expansion, FunctionOf, Given, Law, Monomial, Node, Origin, Property, Quantity, Statement, Step,
     Symbol, Term, determinant, is_letter, slope_determinant,
 };
-use numbers::Rational;
+use num_traits::Zero;
+use numbers::{Field, Rational};
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
     self, At, Condition, Equation, Invariant, Map, Meaning, Name, Operation, Relation, Symbols, Tree, index_of, pair_of,
@@ -30,6 +32,13 @@ pub struct Unreadable {
     /// Where in the formula, and the label of the premise that has it; none for the claim.
     pub at: usize,
     pub premise: Option<String>,
+}
+
+/// A limit of an integral: a term, or infinity, above all numbers or below.
+#[derive(Clone, Copy)]
+enum Limit {
+    At(Term),
+    Infinite(bool),
 }
 
 /// The most terms that the trees of one claim and its premises may come to.
@@ -923,15 +932,67 @@ impl<'a> Builder<'a> {
         if self.statement.is_complex() || self.bound.is_some() {
             return Err(refused());
         }
-        let [low, high] = ends;
-        let (low, high) = (self.tree(low)?, self.tree(high)?);
+        let mut limits = Vec::new();
+        for end in ends {
+            limits.push(match infinity(end) {
+                Some(is_above) => Limit::Infinite(is_above),
+                None => Limit::At(self.tree(end)?),
+            });
+        }
         // what the integrand needs is shown where the integral is made
         let brought = self.brought.len();
         self.bound = Some(by.clone());
         let of = self.tree(of);
         self.bound = None;
         self.brought.truncate(brought);
-        self.statement.terms_mut().integral(of?, low, high).ok_or_else(refused)
+        let of = of?;
+        let zero = self.statement.terms_mut().integer(0);
+        let value = match *limits.as_slice() {
+            [Limit::At(low), Limit::At(high)] => self.statement.terms_mut().integral(of, low, high),
+            [Limit::At(low), Limit::Infinite(is_above)] => self.integral_over_a_ray(of, low, is_above),
+            [Limit::Infinite(is_above), Limit::At(high)] => {
+                let value = self.integral_over_a_ray(of, high, is_above);
+                value.map(|value| self.statement.terms_mut().negative(value))
+            }
+            [Limit::Infinite(first), Limit::Infinite(second)] if first != second => {
+                let parts = [second, first].map(|is_above| self.integral_over_a_ray(of, zero, is_above));
+                let [Some(second), Some(first)] = parts else {
+                    return Err(refused());
+                };
+                Some(self.statement.terms_mut().difference(second, first))
+            }
+            _ => None,
+        };
+        value.ok_or_else(refused)
+    }
+
+    /// The integral of a term in the bound letter x from a closed term a to infinity, or to minus infinity.
+    ///
+    /// To infinity it is the integral from a to a + 1 and that from a + 1 on, with x = a + 1/u: of f(a + 1/u)/u^2 from 0 to 1. To
+    /// minus infinity it is the integral from a to a - 1 less that of f(a - 1/u)/u^2 from 0 to 1.
+    fn integral_over_a_ray(&mut self, of: Term, from: Term, is_above: bool) -> Option<Term> {
+        let terms = self.statement.terms_mut();
+        let sign = if is_above { 1 } else { -1 };
+        let (letter, step) = (terms.add(Node::Bound), terms.integer(sign));
+        let inverse = terms.quotient(step, letter);
+        let (next, far) = match terms.node(from).clone() {
+            Node::Number(number) if number.is_zero() => (step, inverse),
+            Node::Number(number) => {
+                let next = terms.number(number + Rational::from_integer(sign));
+                (next, terms.sum(vec![from, inverse]))
+            }
+            _ => (terms.sum(vec![from, step]), terms.sum(vec![from, inverse])),
+        };
+        let near = terms.integral(of, from, next)?;
+        let moved = terms.rewrite(of, &mut |_, node| (*node == Node::Bound).then_some(far));
+        let square = terms.add(Node::Power(letter, 2));
+        let moved = terms.quotient(moved, square);
+        let (zero, one) = (terms.integer(0), terms.integer(1));
+        let rest = terms.integral(moved, zero, one)?;
+        Some(match is_above {
+            true => terms.sum(vec![near, rest]),
+            false => terms.difference(near, rest),
+        })
     }
 
     fn signed(&mut self, body: &Tree, plus_above: bool) -> Result<Term, Unreadable> {

@@ -63,8 +63,7 @@ fn is_positive_over(terms: &Terms, target: &Polynomial, whole: Vec<(Term, Line)>
         }
         let widest = piece.iter().enumerate();
         let widest = widest.max_by(|(_, (_, one)), (_, (_, other))| one.width().total_cmp(&other.width()));
-        let Some((place, (letter, side))) = widest.map(|(place, (letter, side))| (place, (*letter, side.clone())))
-        else {
+        let Some((place, (letter, side))) = widest.map(|(place, (letter, side))| (place, (*letter, *side))) else {
             return false;
         };
         let (lower, upper) = side.halves();

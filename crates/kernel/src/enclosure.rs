@@ -215,13 +215,29 @@ pub(super) fn complex_quotient<E: Endpoint>(above: Complex<E>, below: Complex<E>
             (!below.0.contains_zero()).then_some(())?;
             (above.0 / below.0.clone(), above.1.map(|part| part / below.0))
         }
-        Some(y) => {
-            let size = below.0.to_power(2) + y.to_power(2);
-            (!size.contains_zero()).then_some(())?;
-            let above = times(&above, &(below.0, Some(-y)));
-            (above.0 / size.clone(), above.1.map(|part| part / size))
-        }
+        Some(y) => times(&above, &complex_inverse(&below.0, &y)?),
     })
+}
+
+/// The inverse of x + i y, of which one part is not 0: 1/(x + y^2/x) and -y/(x^2 + y^2), where x is not 0. The latter is at
+/// most 1/(2 |x|) in size.
+fn complex_inverse<E: Endpoint>(x: &Interval<E>, y: &Interval<E>) -> Option<Complex<E>> {
+    let size = x.to_power(2) + y.to_power(2);
+    (!size.contains_zero()).then_some(())?;
+    let bounded = |own: &Interval<E>, other: &Interval<E>| {
+        let plain = own.clone() / size.clone();
+        if !own.contains_zero() {
+            let sum = own.clone() + other.square() / own.clone();
+            return (Interval::one() / sum).intersection(&plain).unwrap_or(plain);
+        }
+        let most = Interval::one() / (Interval::from_integer(2) * other.size());
+        let around = (-most.clone()).hull(&most);
+        match other.contains_zero() {
+            true => plain,
+            false => around.intersection(&plain).unwrap_or(plain),
+        }
+    };
+    Some((bounded(x, y), Some(-bounded(y, x))))
 }
 
 /// The principal value of an elementary function.
@@ -361,15 +377,15 @@ pub(super) fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
     value.is_finite().then_some(value)
 }
 
-fn exp<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
+pub(super) fn exp<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
     Interval::new(of.low().bounded_exp().below(), of.high().bounded_exp().above())
 }
 
-fn ln<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
+pub(super) fn ln<E: Endpoint>(of: &Interval<E>) -> Interval<E> {
     Interval::new(of.low().bounded_ln().below(), of.high().bounded_ln().above())
 }
 
-fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Interval<E>> {
+pub(super) fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Interval<E>> {
     let half_turn = || <Interval<E> as Analytic>::pi() / Interval::from_integer(2);
     Some(match function {
         Elementary::Sin => of.sincos().0,

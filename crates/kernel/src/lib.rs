@@ -26,6 +26,7 @@ mod certificate;
 mod check;
 mod draft;
 mod enclosure;
+mod ends;
 mod expand;
 mod implicit;
 mod polynomial;

@@ -339,7 +339,7 @@ impl Hasher for Mixed {
 
 impl Node {
     /// The node with the terms one step inside replaced.
-    fn with_parts(&self, new: &dyn Fn(Term) -> Term) -> Self {
+    pub(super) fn with_parts(&self, new: &dyn Fn(Term) -> Term) -> Self {
         let all = |parts: &[Term]| parts.iter().map(|&part| new(part)).collect();
         match self {
             Self::Sum(parts) => Self::Sum(all(parts)),

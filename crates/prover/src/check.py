@@ -43,6 +43,10 @@ mpmath.iv.dps = 30
 NEAR = mpmath.mpf(10) ** -12
 
 
+# how far two rules for one integral may be apart, and how much more than that its value is trusted to be off
+WIDEST, MARGIN = mpmath.mpf(10) ** -9, 1000
+
+
 class Refused(Exception):
     """A step that does not follow, or a premise that does not hold."""
 
@@ -50,6 +54,38 @@ class Refused(Exception):
 def require(holds, why):
     if not holds:
         raise Refused(why)
+
+
+def quadrature(of, ends):
+    """The integral of a function between two numbers by two rules, and how far these are apart. `ends` gives the numbers with the
+    digits at hand. Where a rule has trouble the function may be singular at the ends: distances from these are what is run over, so
+    that they keep their digits."""
+    with mpmath.workdps(50):
+        try:
+            low, high = ends()
+            found, other = mpmath.quad(of, [low, high]), mpmath.quad(of, mpmath.linspace(low, high, 8))
+            apart = abs(found - other)
+            if mpmath.isfinite(found) and apart <= mpmath.mpf(10) ** -40 * (1 + abs(found)):
+                return found, apart
+        except (Refused, ZeroDivisionError, ValueError):
+            pass
+    rules = []
+    for digits, third in ((100, 0), (110, 1)):
+        with mpmath.workdps(2 * digits):
+            low, high = ends()
+            half, sum_ = (high - low) / 2, mpmath.mpf(0)
+            for end, sign in ((low, 1), (high, -1)):
+
+                def beside(distance):
+                    with mpmath.workdps(2 * digits):
+                        return of(end + sign * distance)
+
+                with mpmath.workdps(digits):
+                    sum_ += mpmath.quad(beside, [0, half / 3, half] if third else [0, half])
+            rules.append(sum_)
+    apart = abs(rules[0] - rules[1])
+    require(all(map(mpmath.isfinite, rules)) and apart <= WIDEST * (1 + abs(rules[0])), "an integral without a value")
+    return rules[1], apart
 
 
 # --- polynomials -----------------------------------------------------------------------------------------------------
@@ -184,6 +220,7 @@ class Statement:
 
     def __init__(self, data):
         self.nodes, self.known = [], {}
+        self.integrals, self.apart = {}, mpmath.mpf(0)
         self.symbols, self.symbol_number = [], {}
         self.functions, self.function_number = [], {}
         self.times = {}  # of the impacts, by their index
@@ -504,13 +541,12 @@ class Statement:
     # values of numbers
 
     def integral(self, of, low, high):
-        """The value of an integral over numbers, by two rules that agree."""
-        low, high = self.evaluate(low), self.evaluate(high)
-        with mpmath.workdps(50):
-            of_x = lambda x: self.evaluate(of, bound=x)
-            found = mpmath.quad(of_x, [low, high])
-            other = mpmath.quad(of_x, mpmath.linspace(low, high, 8))
-        require(mpmath.isfinite(found) and abs(found - other) <= NEAR * (1 + abs(found)), "an integral without a value")
+        """The value of an integral over numbers, by two rules that agree; `apart` is how far these are apart at most."""
+        if (of, low, high) not in self.integrals:
+            ends = lambda: (self.evaluate(low), self.evaluate(high))
+            self.integrals[of, low, high] = quadrature(lambda x: self.evaluate(of, bound=x), ends)
+        found, apart = self.integrals[of, low, high]
+        self.apart = max(self.apart, apart)
         return found
 
     def evaluate(self, term, symbol=None, value=None, bound=None):
@@ -598,7 +634,7 @@ class Statement:
             return (exact > 0) - (exact < 0) or None
         found = self.value_of(polynomial)
         inner = (self.nodes[inner] for term in generators(polynomial) for inner in self.inside(term))
-        small = 1000 * NEAR if any(node[0] == "integral" for node in inner) else SMALL
+        small = max(1000 * NEAR, MARGIN * self.apart) if any(node[0] == "integral" for node in inner) else SMALL
         if found is None or abs(found[0]) <= small * found[1]:
             return None
         # rounding within terms shows with more digits
@@ -1647,12 +1683,34 @@ class Values:
         return mpmath.mpf(value.numerator) / value.denominator
 
     def integral(self, of, by, low, high):
+        """The integral of a formula; `low` and `high` give the limits. One to infinity is that to a number, and from there on by
+        the rule of mpmath for half lines."""
+
         def at(x):
             self.bound[by] = x
             return of()
 
-        with mpmath.workdps(50):
-            found = mpmath.quad(at, [low, high])
+        def between(low, high):
+            found, apart = quadrature(at, lambda: (low(), high()))
+            self.s.apart = max(self.s.apart, apart)
+            return found
+
+        def beyond(number, infinity):
+            with mpmath.workdps(50):
+                return mpmath.quad(at, [number(), infinity])
+
+        infinite = [mpmath.isinf(low()), mpmath.isinf(high())]
+        if all(infinite):
+            zero = lambda: mpmath.mpf(0)
+            return self.integral(of, by, low, zero) + self.integral(of, by, zero, high)
+        if infinite[0]:
+            next_to = lambda: high() + mpmath.sign(low())
+            found = between(next_to, high) - beyond(next_to, low())
+        elif infinite[1]:
+            next_to = lambda: low() + mpmath.sign(high())
+            found = between(low, next_to) + beyond(next_to, high())
+        else:
+            found = between(low, high)
         self.bound.pop(by, None)
         return found
 
@@ -1772,7 +1830,8 @@ def check_translation(statement, readings):
         def is_same(term):
             own = [Values(statement, seed) for seed in seeds]
             own = [statement.evaluate(term, values.symbol, values.value) for values in own]
-            return near and all(abs(a - b) <= mpmath.mpf(10) ** -30 * (1 + abs(a) + abs(b)) for a, b in zip(near, own))
+            share = max(mpmath.mpf(10) ** -30, MARGIN * statement.apart)
+            return near and all(abs(a - b) <= share * (1 + abs(a) + abs(b)) for a, b in zip(near, own))
 
         for number, term in wanted:
             compared.setdefault(number, False)

@@ -273,12 +273,13 @@ impl Within<'_> {
                     by,
                     limits: Some((low, high)),
                 } => format!(
-                    "v.integral(lambda: {}, {}, {}, {})",
+                    "v.integral(lambda: {}, {}, lambda: {}, lambda: {})",
                     of(integrand),
                     quoted(&by.to_string()),
                     of(low),
                     of(high)
                 ),
+                Operation::Infinity => "mpmath.inf".to_owned(),
                 _ => "v.operation()".to_owned(),
             },
         }

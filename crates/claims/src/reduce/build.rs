@@ -31,7 +31,7 @@ pub(super) fn is_zero(tree: &Tree) -> bool {
 }
 
 /// Whether a tree is infinity, and whether it is that above all numbers.
-pub(super) fn infinity(tree: &Tree) -> Option<bool> {
+pub(crate) fn infinity(tree: &Tree) -> Option<bool> {
     match tree {
         Tree::Operation(operation, _) => matches!(**operation, Operation::Infinity).then_some(true),
         Tree::Negate(inner) => infinity(inner).map(|is_above| !is_above),

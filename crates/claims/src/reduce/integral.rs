@@ -209,7 +209,8 @@ fn definite(operation: &Operation) -> Option<(&Tree, &Name, [&Tree; 2])> {
     }
 }
 
-/// Returns true if all operations of statements are integrals of real functions of their letters alone, between numbers.
+/// Returns true if all operations of statements are integrals of real functions of their letters alone, between numbers or
+/// infinite limits.
 pub(super) fn are_numbers(statements: &Statements, symbols: &Symbols) -> bool {
     let all = super::trees(statements);
     let is_number = |operation: &Operation| {
@@ -224,10 +225,8 @@ pub(super) fn are_numbers(statements: &Statements, symbols: &Symbols) -> bool {
                 _ => false,
             })
         };
-        ![of, low, high].into_iter().any(is_free)
-            && ![low, high]
-                .into_iter()
-                .any(|limit| mentions(limit, by) || infinity(limit).is_some())
+        let limits = || [low, high].into_iter().filter(|limit| infinity(limit).is_none());
+        !limits().chain([of]).any(is_free) && !limits().any(|limit| mentions(limit, by))
     };
     let operations: Vec<Operation> = all.iter().flat_map(|tree| outermost(tree)).collect();
     let values: Vec<(Operation, Tree)> = operations.iter().map(|own| (own.clone(), integer(0))).collect();

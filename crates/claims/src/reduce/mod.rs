@@ -46,6 +46,7 @@ mod thin;
 use super::definition::{Local, inlined};
 use super::elaborate;
 use super::premise::Statements;
+pub(crate) use build::infinity;
 pub use conditions::under_conditions;
 pub use divisors::divisors;
 pub use inequality::alternatives as other_ways;
@@ -360,7 +361,8 @@ fn over_an_index(
     proposals: &dyn Proposals,
     reason: String,
 ) -> Result<Reduced, String> {
-    if let Some(found) = integral::integrated(statements, symbols, proposals)? {
+    let integrated = integral::integrated(statements, symbols, proposals);
+    if let Ok(Some(found)) = integrated {
         return of_integrated(found, symbols);
     }
     if integral::are_numbers(statements, symbols) {
@@ -370,6 +372,7 @@ fn over_an_index(
             return Ok(Reduced::itself(goal));
         }
     }
+    integrated?;
     if sequences::is_spoken_of(statements, symbols) {
         return of_sequences(statements, symbols);
     }
