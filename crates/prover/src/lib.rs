@@ -988,10 +988,10 @@ enum Outcome {
     Undecided(String),
 }
 
-/// Steps of the search for a proof, for all proofs of a claim, and for a contradiction, for each unit of effort.
+/// Steps of the search for a proof, for all quick or all deep ones of a claim, and for a contradiction, for each unit of effort.
 const PROOF_STEPS: u64 = 5_000_000;
 const QUICK_STEPS: u64 = 1_000_000;
-const CLAIM_STEPS: u64 = 20_000_000;
+const CLAIM_STEPS: u64 = 12_000_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 /// Points of the premises at which the claim holds, before it is taken to be true rather than false.
@@ -1004,25 +1004,37 @@ enum Depth {
     Deep,
 }
 
-/// The steps that are left for the proofs of a claim.
+/// The steps that are left for the proofs of a claim: for those of each depth, so that quick ones are always tried.
 struct Budget {
     effort: u64,
-    left: Cell<u64>,
+    quick: Cell<u64>,
+    deep: Cell<u64>,
 }
 
 impl Budget {
     fn of_claim(effort: u64) -> Self {
+        let steps = CLAIM_STEPS.saturating_mul(effort);
         Self {
             effort,
-            left: Cell::new(CLAIM_STEPS.saturating_mul(effort)),
+            quick: Cell::new(steps),
+            deep: Cell::new(steps),
         }
     }
 
     /// Searches for a proof in at most so many steps.
-    fn proof(&self, statement: &kernel::Statement, most: u64) -> Option<kernel::With<kernel::Certificate>> {
-        let (left, mut used) = (self.left.get(), 0);
+    fn proof(
+        &self,
+        statement: &kernel::Statement,
+        depth: Depth,
+        most: u64,
+    ) -> Option<kernel::With<kernel::Certificate>> {
+        let of_depth = match depth {
+            Depth::Quick => &self.quick,
+            Depth::Deep => &self.deep,
+        };
+        let (left, mut used) = (of_depth.get(), 0);
         let found = proof::search(statement, most.min(left), &mut used);
-        self.left.set(left.saturating_sub(used));
+        of_depth.set(left.saturating_sub(used));
         found
     }
 }
@@ -1060,7 +1072,7 @@ fn outcome(statement: &kernel::Statement, depth: Depth, budget: &Budget) -> Outc
         (Depth::Quick, Some(_)) => QUICK_STEPS,
         (Depth::Quick, None) => QUICK_STEPS / 5,
     };
-    let certificate = budget.proof(statement, most);
+    let certificate = budget.proof(statement, depth, most);
     if certificate.is_none()
         && depth == Depth::Quick
         && let Some((witness, kernel::Evaluated::Fails(refuted))) = points(statement, point::Wanted::Failure, effort)

@@ -2,7 +2,7 @@
 //! has a value at each.
 
 use super::super::premise::{Premise, Statements};
-use super::build::{difference, integer, product, sum, symbol};
+use super::build::{difference, integer, power, product, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{WithFactorials, but_factorials};
 use super::integers::{free_integers, whole};
@@ -12,6 +12,24 @@ use texmath::{
     Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, any_side, holds, index_of,
     mapped, rewrite, subscript_of,
 };
+
+/// The tree with powers whose exponent is a positive letter and a number as powers with this exponent, and with the letter.
+fn with_last_powers(tree: &Tree, letter: &Name) -> Tree {
+    mapped(tree, &|node| {
+        let Tree::RealPower(base, exponent, at) = node else {
+            return None;
+        };
+        let (1, more @ 1..=HIGHEST_MORE) = factorial::multiple_of(exponent, letter)? else {
+            return None;
+        };
+        let more = i32::try_from(more).ok()?;
+        let last = Tree::RealPower(base.clone(), Box::new(symbol(letter)), *at);
+        Some(product(vec![power((**base).clone(), more), last]))
+    })
+}
+
+/// The largest number that is added to a letter in an exponent and is taken out of it.
+const HIGHEST_MORE: i64 = 8;
 
 /// The most terms that a sum has more at the next integer, where its terms depend on that.
 const MOST_STEPS: i64 = 3;
@@ -201,6 +219,9 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
             relation: Relation::GreaterOrEqual,
             ..Equation::between(symbol(letter), integer(first + later))
         }));
+    }
+    if moving.is_empty() && first + later >= 1 {
+        next = rewritten(&next, Rule::InequalityInduction, &|tree| with_last_powers(tree, letter));
     }
     let bases = first..=first + later;
     for base in bases {
