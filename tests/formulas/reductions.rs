@@ -1,13 +1,16 @@
 //! The rules by which claims are reduced to goals: each goal that is not the claim as read names one.
 
 use crate::common::{attacks, sample};
+use std::collections::HashMap;
 use vibro_audit::claim::{
-    Proposal, Proposals, Reduced, Rule, Sheet, Statements, other_ways, reduced, reduced_by_cases, vocabulary,
+    Matched, Proposal, Proposals, Reduced, Rule, Sheet, Statements, other_ways, questions, reduced, reduced_by_cases,
+    vocabulary,
 };
-use vibro_audit::prove::integration::{antiderivative, zeros};
-use vibro_audit::prove::summation::summation;
+use vibro_audit::kernel::term_value;
+use vibro_audit::prove::integration::{antiderivative, known_integral, zeros};
+use vibro_audit::prove::summation::{summation, telescoping};
 use vibro_audit::prove::{Options, decide};
-use vibro_audit::tex::{DoubtKind, Name, Symbols, Tree};
+use vibro_audit::tex::{DoubtKind, Name, Names, Symbols, Tree, read_expression, rewrite};
 
 struct First;
 
@@ -18,6 +21,14 @@ impl Proposals for First {
 
     fn zeros(&self, of: &Tree, by: &Name, between: [&Tree; 2]) -> Vec<Tree> {
         zeros(of, by, between)
+    }
+
+    fn known_integral(&self, of: &Tree, by: &Name, limits: [&Tree; 2]) -> Option<Matched> {
+        known_integral(of, by, limits)
+    }
+
+    fn telescoping(&self, term: &Tree, index: &Name, _: &Symbols) -> Option<Tree> {
+        telescoping(term, index)
     }
 
     fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
@@ -123,7 +134,9 @@ fn a_verdict_names_the_rules_that_it_rests_on() {
     ] {
         assert_eq!(rules_of(real, tex), rules, "{tex}");
     }
-    let induction = rules_of(real, r"\sum_{k=1}^{n} k = \frac{n (n + 1)}{2}");
+    let closed = rules_of(real, r"\sum_{k=1}^{n} k = \frac{n (n + 1)}{2}");
+    assert_eq!(closed, "proved: sum: telescoping");
+    let induction = rules_of(real, r"\sum_{k=1}^{n} \frac{1}{k (k + 1)} = \frac{n}{n + 1}");
     assert!(
         induction.starts_with("proved: ") && induction.contains("sum: induction"),
         "{induction}"
@@ -151,4 +164,64 @@ fn rules_have_different_names() {
     let names: std::collections::BTreeSet<String> = some.iter().map(ToString::to_string).collect();
     assert_eq!(names.len(), some.len());
     assert!(names.iter().all(|name| name.split_once(": ").is_some()));
+}
+
+/// No search, so that integrals of numbers are enclosed.
+struct NoSearch;
+
+impl Proposals for NoSearch {}
+
+/// The value of a claim's larger side less the smaller one, with its integral enclosed; none where it is not.
+fn enclosed(tex: &str) -> Option<f64> {
+    let text = format!("[[equation]]\nlabel = 'a'\nrole = 'claim'\ntex = '{tex}'\n");
+    let sheet = Sheet::read(&text, &Symbols::default()).unwrap();
+    let statements = Statements::gather(&sheet, 0).unwrap();
+    let reduced = reduced(&statements, &sheet.symbols, &NoSearch).ok()??;
+    let goal = reduced.sufficient.first()?;
+    let asked = questions(&goal.statements, &goal.symbols).ok()?;
+    let statement = &asked.first()?.statement;
+    let (_, term) = statement.goal()[0];
+    let value = term_value::<f64>(statement.terms(), term, &mut HashMap::new())?;
+    Some(value.low())
+}
+
+#[test]
+fn each_row_of_the_table_of_integrals_holds_as_far_as_integrals_are_enclosed() {
+    let table = include_str!("../../crates/claims/src/reduce/integrals.txt");
+    let mut open = Vec::new();
+    for line in table.lines().filter(|line| !line.starts_with('#')) {
+        let parts: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [limits, of, value, conditions, source] = parts[..] else {
+            panic!("{line}");
+        };
+        assert!(!source.is_empty(), "{line}");
+        let (low, high) = limits.split_once(" to ").unwrap();
+        // a and b as numbers that meet the conditions
+        let numbers = if conditions.contains("a < 0") {
+            ["-0.3", "0"]
+        } else {
+            ["1.3", "0.7"]
+        };
+        let names = Names::default();
+        let with = |tex: &str| {
+            let tree = read_expression(tex, &names).unwrap();
+            let number = |name: &Name| {
+                let place = ["a", "b"].into_iter().position(|letter| *name == Name::plain(letter))?;
+                Some(read_expression(numbers[place], &names).unwrap())
+            };
+            rewrite(&tree, &number).to_string()
+        };
+        let (of, value) = (with(of), with(value));
+        let integral = format!(r"\int_{{{low}}}^{{{high}}} ({of}) \, dx");
+        let bounds = [
+            enclosed(&format!(r"{integral} > ({value}) - \frac{{1}}{{200}}")),
+            enclosed(&format!(r"({value}) + \frac{{1}}{{200}} > {integral}")),
+        ];
+        match bounds {
+            [Some(below), Some(above)] => assert!(below > 0.0 && above > 0.0, "{line}: {below}, {above}"),
+            _ => open.push(of),
+        }
+    }
+    // those that converge without their absolute values
+    assert_eq!(open.len(), 4, "{open:?}");
 }
