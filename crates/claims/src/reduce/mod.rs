@@ -220,6 +220,14 @@ fn without_operations(
         return Ok(None);
     }
     let written = written_out(statements, symbols)?;
+    if let Some((rest, search, lemmas)) = integral::supplied(&written, symbols, proposals) {
+        let mut reduced = match without_operations(&rest, symbols, &search)? {
+            Some(reduced) => reduced,
+            None => Reduced::itself(Goal::of(&rest, symbols, String::new())),
+        };
+        reduced.lemmas.extend(lemmas);
+        return Ok(Some(reduced));
+    }
     if let Some(summed) = infinite::summed(&written, symbols, proposals)? {
         let mut reduced = match without_operations(&summed.statements, symbols, proposals)? {
             Some(reduced) => reduced,
