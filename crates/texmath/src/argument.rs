@@ -15,11 +15,11 @@ use super::{Name, Operation, Tree};
 /// Letters that commonly are the factor of a variable, as in `\cos\omega t`. Any other may be the whole argument: in
 /// `v_0\cos\alpha t` and `\sin\theta F` it is.
 const COEFFICIENTS: &[&str] = &[
-    "a", "b", "c", "i", "k", "l", "m", "n", "p", "q", "\\kappa", "\\lambda", "\\mu", "\\nu", "\\pi", "\\omega",
-    "\\Omega",
+    "a", "b", "c", "i", "j", "k", "l", "m", "n", "p", "q", "s", "\\kappa", "\\lambda", "\\mu", "\\nu", "\\pi",
+    "\\omega", "\\Omega",
 ];
 
-/// Letters in which no argument of several letters ends: `\sin a b` may be a product.
+/// Letters of which no argument of several letters is made alone: `\sin a b` may be a product.
 const CONSTANTS: &[&str] = &["a", "b", "c"];
 
 /// Letters that commonly are what a factor before them is of.
@@ -30,6 +30,7 @@ impl<'a> Reader<'a> {
     pub(super) fn bare_argument(&mut self, function: &Elementary) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
         let (at, start) = (self.here(), self.next);
+        let is_logarithm = ["\\ln", "\\log"].contains(&function.command);
         let token = match self.peek() {
             Some(token) if starts_factor(token.kind) => token,
             _ => return Err(self.instead_of("the argument of the function")),
@@ -47,7 +48,7 @@ impl<'a> Reader<'a> {
         };
         while let Some(More { mark, next, token }) = self.more_of_argument()? {
             let is_symbol = matches!(token.kind, Kind::Letter | Kind::Word) && !token.spaced;
-            let is_one = |before: &Tree| self.goes_on(before, &next);
+            let is_one = |before: &Tree| self.goes_on(before, &next) || (is_logarithm && are_letters(before, &next));
             // braces do not print, but tell where the author ends the argument
             let ended = self
                 .tokens
@@ -172,11 +173,19 @@ impl<'a> Reader<'a> {
         match symbol_of(before) {
             Some(before) => {
                 let is_factor = |name: &Name, of: &[&str]| of.contains(&name.base.as_str());
-                plain(&before) && is_factor(before, COEFFICIENTS) && !is_factor(next, CONSTANTS)
+                let are_constants = is_factor(before, CONSTANTS) && is_factor(next, CONSTANTS);
+                plain(&before) && is_factor(before, COEFFICIENTS) && !are_constants
             }
             None => is_number(before),
         }
     }
+}
+
+/// Returns true for two letters as in `\ln x y`: a factor of a logarithm is printed before it.
+fn are_letters(one: &Tree, other: &Tree) -> bool {
+    let is_letter =
+        |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == Name::plain(&name.base) && name.base.len() == 1);
+    is_letter(one) && is_letter(other)
 }
 
 /// A number, a power of one or a fraction of two.
@@ -367,7 +376,6 @@ mod tests {
             (r"\exp x \cos y", r"(* <\exp x> <\cos y>)"),
         ]);
         refuse(&[
-            (r"\ln a b \cos x", r"or as \ln("),
             (r"\sin 2 \cdot 3 x", r"\sin(2) \cdot 3 x or as \sin(2 \cdot 3) x"),
             (r"\ln 2a \cdot b", r"or as \ln("),
             (r"\sin(n + \frac12)x", r"or as \sin((n + \frac{1}{2}) x)"),

@@ -543,7 +543,10 @@ mod tests {
                 r"(+ <\operatorname{arsinh} x> <\operatorname{arcosh} x>)",
             ),
         ]);
-        refuse(&[(r"\log_a x y", r"\frac{\ln(x)}{\ln(a)} y or as \frac{\ln(x y)}{\ln(a)}")]);
+        check(&[
+            (r"\log_a x y", r"(/ <\ln (* x y)> <\ln a>)"),
+            (r"\ln x y \cos x", r"(* <\ln (* x y)> <\cos x>)"),
+        ]);
     }
 
     #[test]

@@ -33,6 +33,18 @@ pub(super) struct Reader<'a> {
     pub(super) names: &'a Names,
 }
 
+/// Returns true for what is a factor by convention behind an argument that ends in a letter, as in `\cos x \sqrt{y}` and
+/// `\sin x e^x`.
+fn is_apart(factor: &Tree) -> bool {
+    match factor {
+        Tree::Root(..) => true,
+        Tree::RealPower(base, ..) | Tree::Power(base, ..) => {
+            matches!(&**base, Tree::Symbol(name, _) if *name == Name::plain("e"))
+        }
+        _ => false,
+    }
+}
+
 impl<'a> Reader<'a> {
     pub(super) fn new(tokens: Vec<Token<'a>>, names: &'a Names) -> Self {
         let end = tokens.last().map_or(0, |token| token.end);
@@ -300,9 +312,8 @@ impl<'a> Reader<'a> {
             let number = factors.len().saturating_sub(1);
             if token.kind != Kind::Slash {
                 let belongs = match is_open && juxtaposed {
-                    // \cos x \sqrt{y} is a product
                     true => Some(Belongs {
-                        is_usual: matches!(*factor.tree, Tree::Root(..)) && ends_in_letter(factors.last()),
+                        is_usual: is_apart(&factor.tree) && ends_in_letter(factors.last()),
                     }),
                     false => Self::may_belong(factors.last(), form, &factor.tree, token),
                 };
