@@ -320,6 +320,9 @@ impl<'a> Over<'a> {
                 if to.saturating_sub(from) >= MOST_TERMS {
                     return Err(format!("more than {MOST_TERMS} terms"));
                 }
+                if to.saturating_sub(from) < -1 {
+                    return Err(format!("the {} over {index} ends before it begins", name_of(*kind)));
+                }
                 let mut terms = Vec::new();
                 for value in from..=to {
                     terms.push(self.value(&at_index(of, index, value))?);

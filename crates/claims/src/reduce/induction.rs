@@ -13,6 +13,43 @@ use texmath::{
     mapped, rewrite, subscript_of,
 };
 
+/// The statements with least values of integers of which nothing is said: those from which the sums and products of claims
+/// have a value.
+pub(super) fn with_lengths(statements: &Statements, symbols: &Symbols) -> Statements {
+    let mut out = statements.clone();
+    if statements.is_way {
+        return out;
+    }
+    let mut found = Vec::new();
+    for claim in &statements.claims {
+        for side in [&claim.left, &claim.right] {
+            series_in(side, &mut found);
+        }
+    }
+    let integers = free_integers(statements, symbols);
+    for operation in found {
+        let Operation::Series { from, to, .. } = &operation else {
+            continue;
+        };
+        let length = factorial::linear(&difference(to.clone(), from.clone()));
+        let Some((letters, constant)) = length else {
+            continue;
+        };
+        let mut letters = letters.into_iter();
+        let (Some((letter, 1)), None) = (letters.next(), letters.next()) else {
+            continue;
+        };
+        let is_open = matches!(first_value(&statements.assume, symbols, &letter), Ok(None));
+        if is_open && integers.contains(&letter) {
+            out.assume.push(Condition::Relation(Equation {
+                relation: Relation::GreaterOrEqual,
+                ..Equation::between(symbol(&letter), integer(-1 - constant))
+            }));
+        }
+    }
+    out
+}
+
 /// The tree with powers whose exponent is a positive letter and a number as powers with this exponent, and with the letter.
 fn with_last_powers(tree: &Tree, letter: &Name) -> Tree {
     mapped(tree, &|node| {

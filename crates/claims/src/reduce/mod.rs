@@ -244,6 +244,7 @@ fn without_operations(
         }
         return Ok(Some(reduced));
     }
+    let written = induction::with_lengths(&written, symbols);
     let (written, closed) = match finite::closed(&written, symbols, proposals) {
         Some(closed) => (closed.statements, closed.lemmas),
         None => (written, Vec::new()),
