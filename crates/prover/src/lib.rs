@@ -432,7 +432,8 @@ impl<'a> Search<'a> {
                     decision.exception = None;
                     return Some(decision);
                 }
-                // nothing lies in such a case
+                // nothing lies in such a case, or the claim has no value there
+                Verdict::Refuted => {}
                 _ if !is_case => {}
                 _ => is_open = true,
             }

@@ -938,7 +938,9 @@ impl Definite<'_> {
         lemmas.extend(found.lemmas);
         match found.end {
             Some(End::Finite(value)) => Ok(*value),
-            _ => Err("an integral that diverges, as far as it is followed".to_owned()),
+            // what has no value is written as a quotient that has none
+            Some(End::Infinite(_)) => Ok(quotient(integer(1), integer(0))),
+            None => Err("an integral whose antiderivative has no limit, as far as it is followed".to_owned()),
         }
     }
 
