@@ -1103,14 +1103,19 @@ fn a_sum_to_infinity_is_taken_where_it_has_a_value() {
 }
 
 #[test]
-fn sums_may_be_empty() {
+fn sums_have_a_value_from_one_before_their_beginning_on() {
     let decide = |tex: &str| decide("parameters = ['a']\nintegers = ['n']", tex).0;
-    for tex in [
-        r"\sum_{k=1}^n 1 = n",
-        r"\sum_{k=1}^n a = n a",
-        r"\sum_{k=0}^{2n} 1 = 2n + 1",
+    for (tex, wanted) in [
+        (r"\sum_{k=1}^n 1 = n", Verdict::Proved),
+        (r"\sum_{k=1}^n a = n a", Verdict::Proved),
+        (r"\sum_{k=3}^n k = \frac{n(n+1)}{2} - 3", Verdict::Proved),
+        (r"\sum_{k=1}^n 1 = n - 1", Verdict::Refuted),
+        // one without terms is 0
+        (r"\sum_{k=1}^n 1 > 0", Verdict::Refuted),
+        (r"n \ge 0", Verdict::Refuted),
+        (r"\sum_{k=1}^{-3} 1 = 0", Verdict::Undecided),
     ] {
-        assert_ne!(decide(tex), Verdict::Proved, "{tex}");
+        assert_eq!(decide(tex), wanted, "{tex}");
     }
 }
 
@@ -1197,8 +1202,8 @@ fn an_integral_of_numbers_is_enclosed() {
         (r"\int_0^1 e^{x^2} dx > \frac{3}{2}", Verdict::Refuted),
         (r"a + \int_0^1 \sin(x^2) dx = a + \frac13", Verdict::Refuted),
         (r"\int_0^{2\pi} \frac{dx}{2 + \cos x} = 3", Verdict::Refuted),
-        // without a value there is nothing to say
-        (r"\int_{-1}^1 \frac{dx}{x^2} < 1", Verdict::Undecided),
+        // defined nowhere, as the antiderivative shows; without one there is nothing to say
+        (r"\int_{-1}^1 \frac{dx}{x^2} < 1", Verdict::Refuted),
         (r"\int_0^2 \frac{e^{x^2}}{x - 1} dx < 100", Verdict::Undecided),
     ] {
         assert_eq!(decide(tex), wanted, "{tex}");
@@ -1237,10 +1242,10 @@ fn an_improper_integral_of_numbers_is_enclosed() {
             Verdict::Refuted,
         ),
         // without a value, or with one that is no absolute one, there is nothing to say
-        (r"\int_1^\infty \frac{dx}{x} < 100", Verdict::Undecided),
+        (r"\int_1^\infty \frac{dx}{x} < 100", Verdict::Refuted),
         (r"\int_0^\infty e^{x} dx < 100", Verdict::Undecided),
         (r"\int_0^1 \frac{\cos x}{x} dx < 100", Verdict::Undecided),
-        (r"\int_{-\infty}^\infty \frac{dx}{x^2} < 100", Verdict::Undecided),
+        (r"\int_{-\infty}^\infty \frac{dx}{x^2} < 100", Verdict::Refuted),
         (r"\int_0^\infty \frac{\sin x}{\sqrt{1+x}} dx = 2", Verdict::Undecided),
     ] {
         assert_eq!(decide(tex), wanted, "{tex}");

@@ -590,6 +590,9 @@ impl<'a> Search<'a> {
         self.open = None;
         for lemma in &goals.lemmas {
             let found = self.settled_otherwise(lemma);
+            if lemma.may_be_empty && found.is_vacuous {
+                continue;
+            }
             if found.verdict != Verdict::Proved {
                 self.open = match lemma.statements.claims.as_slice() {
                     [claim] => Some(claim.clone()),
@@ -618,6 +621,7 @@ impl<'a> Search<'a> {
         for goal in &goals.sufficient {
             let found = self.settled_otherwise(goal);
             match found.verdict {
+                Verdict::Undecided | Verdict::Refuted if found.is_vacuous && goal.may_be_empty => {}
                 // a case that nothing is in says nothing, where another one holds
                 Verdict::Undecided | Verdict::Refuted if found.is_vacuous && goals.sufficient.len() > 1 => {
                     vacuous = Some(found.in_part(&goal.part));
@@ -943,6 +947,7 @@ fn goals(
                 statements,
                 symbols: sheet.symbols.clone(),
                 part: String::new(),
+                may_be_empty: false,
             };
             Ok(Reduced::itself(goal))
         }

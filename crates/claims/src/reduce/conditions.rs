@@ -8,7 +8,7 @@ use super::cases::is_absolute;
 use super::{Goal, Reduced, Rule, trees};
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
-use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, names_in, number_of, speaks_of};
+use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, names_in, number_of, speaks_of};
 
 /// Returns the goals with the bases of such powers assumed to be positive and integrals to have values, and these assumptions as
 /// they print; nothing where there is none that is not assumed already.
@@ -39,7 +39,21 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
                 });
         }
     }
-    for goal in further.sufficient.iter_mut().chain(&mut further.lemmas) {
+    let mut at_zero: [Vec<Goal>; 2] = Default::default();
+    let mut of_lemmas: Vec<Equation> = Vec::new();
+    let claims: Vec<&Tree> = goals
+        .sufficient
+        .iter()
+        .flat_map(|goal| trees(&goal.statements))
+        .collect();
+    let is_of_others = |condition: &Equation| {
+        let mut names = BTreeSet::new();
+        names_in(&condition.left, &mut names);
+        !names.iter().all(|name| claims.iter().any(|tree| tree.has_free(name)))
+    };
+    let of_lists = further.sufficient.iter_mut().map(|goal| (goal, 0));
+    for (goal, list) in of_lists.chain(further.lemmas.iter_mut().map(|goal| (goal, 1))) {
+        let whole = goal.clone();
         let statements = &mut goal.statements;
         // an integer, or what may be one by its definition: the base may be negative
         let assumed = |name: &Name| {
@@ -61,11 +75,22 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
                 false
             });
         }
-        found.retain(|own| !is_assumed(own));
+        let mut seen: Vec<Equation> = Vec::new();
+        found.retain(|own| {
+            let is_new = !is_assumed(own) && !seen.contains(own);
+            seen.push(own.clone());
+            is_new
+        });
+        at_zero[list].extend(where_bases_vanish(&whole, &found)?);
         for condition in found {
             let printed = condition.to_string();
-            if !provided.contains(&printed) {
+            // what a lemma says of a letter of its own is no condition on the claim
+            let is_of_claim = list == 0 || !is_of_others(&condition);
+            if is_of_claim && !provided.contains(&printed) {
                 provided.push(printed);
+            }
+            if is_of_claim && list == 1 && !of_lemmas.contains(&condition) {
+                of_lemmas.push(condition.clone());
             }
             statements.rules.insert(match condition.relation {
                 Relation::NotEqual => Rule::NonzeroBases,
@@ -74,8 +99,106 @@ pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
             statements.assume.push(Condition::Relation(condition));
         }
     }
+    for goal in &mut further.sufficient {
+        for condition in of_lemmas.iter().cloned().map(Condition::Relation) {
+            if !goal.statements.assume.contains(&condition) {
+                goal.statements.assume.push(condition);
+            }
+        }
+    }
+    let [sufficient, lemmas] = at_zero;
+    further.sufficient.extend(sufficient);
+    further.lemmas.extend(lemmas);
     further.sufficient.extend(goals.where_zero.iter().cloned());
     (!provided.is_empty()).then_some((further, provided))
+}
+
+/// The most bases that may vanish.
+const MOST_BASES: usize = 3;
+
+/// The goals for where some of these bases are 0: a power of one has a value where its exponent is positive, and is 0. None where
+/// so many may be 0.
+fn where_bases_vanish(goal: &Goal, conditions: &[Equation]) -> Option<Vec<Goal>> {
+    let bases: Vec<&Tree> = conditions.iter().map(|own| &own.left).collect();
+    if bases.len() > MOST_BASES {
+        return None;
+    }
+    let cases = (1..1_usize << bases.len()).filter_map(|case| {
+        let (mut zero, mut other) = (Vec::new(), Vec::new());
+        for (place, (base, condition)) in bases.iter().zip(conditions).enumerate() {
+            match case >> place & 1 == 1 {
+                true => zero.push(*base),
+                false => other.push(Condition::Relation(condition.clone())),
+            }
+        }
+        where_these_vanish(goal, &zero, other)
+    });
+    Some(cases.collect())
+}
+
+/// The goal for where these terms are 0, and other conditions hold; None where a power is of a quotient by one of them.
+fn where_these_vanish(goal: &Goal, zero: &[&Tree], other: Vec<Condition>) -> Option<Goal> {
+    let is_any = |factors: Vec<&Tree>| factors.into_iter().any(|own| zero.contains(&own));
+    // a power of a product vanishes where a factor of its base does
+    let vanishes = |base: &Tree| zero.contains(&base) || is_any(factors_of(base));
+    let mut powers: Vec<(Tree, Tree)> = Vec::new();
+    for tree in trees(&goal.statements) {
+        any(tree, &mut |node| {
+            if let Tree::RealPower(base, exponent, _) = node
+                && vanishes(base)
+            {
+                powers.push(((**base).clone(), (**exponent).clone()));
+            }
+            false
+        });
+    }
+    if powers.iter().any(|(base, _)| is_any(divisors_of(base))) {
+        return None;
+    }
+    let statements = super::rewritten(&goal.statements, Rule::NonzeroBases, &|tree| {
+        mapped(tree, &|node| match node {
+            Tree::RealPower(base, ..) => vanishes(base).then(|| integer(0)),
+            _ => None,
+        })
+    });
+    let relation = |left: Tree, relation: Relation| {
+        Condition::Relation(Equation {
+            relation,
+            ..Equation::between(left, integer(0))
+        })
+    };
+    let zeros = zero.iter().map(|base| relation((*base).clone(), Relation::Equal));
+    let mut there = Goal {
+        statements,
+        may_be_empty: true,
+        ..goal.clone()
+    };
+    let assume = &mut there.statements.assume;
+    assume.extend(other.into_iter().chain(zeros));
+    // what is written in the powers has a value
+    for (base, exponent) in powers {
+        for condition in [relation(base, Relation::Equal), relation(exponent, Relation::Greater)] {
+            if !assume.contains(&condition) {
+                assume.push(condition);
+            }
+        }
+    }
+    there.part = match goal.part.as_str() {
+        "" => "where a base is 0".to_owned(),
+        part => format!("{part}, where a base is 0"),
+    };
+    Some(there)
+}
+
+/// The factors that a product is divided by.
+fn divisors_of(tree: &Tree) -> Vec<&Tree> {
+    match tree {
+        Tree::Product(factors) => factors.iter().flat_map(divisors_of).collect(),
+        Tree::Quotient(above, below, _) => divisors_of(above).into_iter().chain(factors_of(below)).collect(),
+        Tree::Power(inner, ..=-1, _) => factors_of(inner),
+        Tree::Negate(inner) | Tree::Power(inner, ..) | Tree::RealPower(inner, ..) => divisors_of(inner),
+        _ => Vec::new(),
+    }
 }
 
 /// Conditions without signs in front, `a > 0` for `-a < 0`, and without those that others imply.

@@ -103,6 +103,8 @@ pub struct Goal {
     pub symbols: Symbols,
     /// What it is of the claim: the case, the value of an index, a step; empty where it is the claim itself.
     pub part: String,
+    /// True for a case that nothing may lie in.
+    pub may_be_empty: bool,
 }
 
 /// What a claim comes to.
@@ -141,6 +143,7 @@ impl Goal {
             statements: statements.clone().with_overview(symbols),
             symbols: symbols.clone(),
             part,
+            may_be_empty: false,
         }
     }
 
