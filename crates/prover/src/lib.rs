@@ -57,7 +57,7 @@ use claims::{
     values, word_question,
 };
 use std::cell::Cell;
-use texmath::{DoubtKind, Equation, Name, Operation, Symbols, Tree, any_side, holds, is_opaque};
+use texmath::{DoubtKind, Equation, Name, Operation, Relation, Symbols, Tree, any_side, holds, is_opaque};
 
 /// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
 fn negative_power(equation: &Equation) -> Option<Tree> {
@@ -418,23 +418,27 @@ impl<'a> Search<'a> {
             return None;
         }
         let statements = self.statements(sheet, position).ok()?;
-        let (mut shown, mut is_open) = (Vec::new(), false);
+        let (mut shown, mut holding) = (Vec::new(), Vec::new());
+        let (mut is_open, mut is_undefined) = (false, false);
         for case in sign_cases(&open, &statements, &sheet.symbols) {
             let part = format!("where {case}");
-            self.cases.push(case);
+            self.cases.push(case.clone());
             let decision = self.decide(sheet, position);
             let is_case = decision.verdict == Verdict::Proved || !self.is_contradictory(sheet, position);
             self.cases.pop();
             match decision.verdict {
-                Verdict::Proved => shown.push(decision),
+                Verdict::Proved => {
+                    shown.push(decision);
+                    holding.push(case);
+                }
                 Verdict::Refuted if !decision.is_vacuous => {
                     let mut decision = decision.in_part(&part);
                     decision.exception = None;
                     return Some(decision);
                 }
                 // nothing lies in such a case, or the claim has no value there
-                Verdict::Refuted => {}
                 _ if !is_case => {}
+                Verdict::Refuted => is_undefined = true,
                 _ => is_open = true,
             }
         }
@@ -447,6 +451,9 @@ impl<'a> Search<'a> {
             ..self.start.clone()
         };
         decision.conclude(shown);
+        if is_undefined {
+            decision.provide(joined(&holding).map(|condition| condition.to_string()));
+        }
         Some(decision)
     }
 
@@ -883,6 +890,25 @@ impl<'a> Search<'a> {
             });
         }
     }
+}
+
+/// The condition that one of some cases of a sign holds, where these are not all.
+fn joined(cases: &[Equation]) -> Option<Equation> {
+    let [first, rest @ ..] = cases else {
+        return None;
+    };
+    let holds = |relation: Relation| cases.iter().any(|case| case.relation == relation);
+    let relation = match (holds(Relation::Greater), holds(Relation::Less), holds(Relation::Equal)) {
+        _ if rest.is_empty() => first.relation,
+        (true, true, false) => Relation::NotEqual,
+        (true, false, true) => Relation::GreaterOrEqual,
+        (false, true, true) => Relation::LessOrEqual,
+        _ => return None,
+    };
+    Some(Equation {
+        relation,
+        ..first.clone()
+    })
 }
 
 /// Returns true if a definite integral stands in a claim.
