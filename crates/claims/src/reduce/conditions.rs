@@ -3,7 +3,7 @@
 //! Powers whose exponents are no numbers are taken at positive bases, or at bases that are not 0 where the exponents are integers: what such
 //! a power is at 0 hangs on the sign of its exponent.
 
-use super::build::integer;
+use super::build::{integer, is_zero};
 use super::cases::is_absolute;
 use super::{Goal, Reduced, Rule, trees};
 use numbers::{Field, Rational};
@@ -120,6 +120,10 @@ const MOST_BASES: usize = 3;
 /// so many may be 0.
 fn where_bases_vanish(goal: &Goal, conditions: &[Equation]) -> Option<Vec<Goal>> {
     let bases: Vec<&Tree> = conditions.iter().map(|own| &own.left).collect();
+    // that a base is not 0 was to be shown for its power to have a value
+    if goal.statements.claims.iter().all(|claim| conditions.contains(claim)) {
+        return Some(Vec::new());
+    }
     if bases.len() > MOST_BASES {
         return None;
     }
@@ -155,12 +159,13 @@ fn where_these_vanish(goal: &Goal, zero: &[&Tree], other: Vec<Condition>) -> Opt
     if powers.iter().any(|(base, _)| is_any(divisors_of(base))) {
         return None;
     }
-    let statements = super::rewritten(&goal.statements, Rule::NonzeroBases, &|tree| {
+    let at_zero = |tree: &Tree| {
         mapped(tree, &|node| match node {
             Tree::RealPower(base, ..) => vanishes(base).then(|| integer(0)),
             _ => None,
         })
-    });
+    };
+    let statements = super::rewritten(&goal.statements, Rule::NonzeroBases, &at_zero);
     let relation = |left: Tree, relation: Relation| {
         Condition::Relation(Equation {
             relation,
@@ -177,7 +182,12 @@ fn where_these_vanish(goal: &Goal, zero: &[&Tree], other: Vec<Condition>) -> Opt
     assume.extend(other.into_iter().chain(zeros));
     // what is written in the powers has a value
     for (base, exponent) in powers {
-        for condition in [relation(base, Relation::Equal), relation(exponent, Relation::Greater)] {
+        let base = at_zero(&base);
+        let conditions = [
+            relation(base.clone(), Relation::Equal),
+            relation(exponent, Relation::Greater),
+        ];
+        for condition in conditions.into_iter().skip(usize::from(is_zero(&base))) {
             if !assume.contains(&condition) {
                 assume.push(condition);
             }

@@ -39,6 +39,7 @@ mod running;
 mod sequences;
 mod series;
 mod signs;
+mod supplied;
 mod table;
 mod telescope;
 mod thin;
@@ -223,7 +224,7 @@ fn without_operations(
         return Ok(None);
     }
     let written = written_out(statements, symbols)?;
-    if let Some((rest, search, lemmas)) = integral::supplied(&written, symbols, proposals) {
+    if let Some((rest, search, lemmas)) = supplied::supplied(&written, symbols, proposals) {
         let mut reduced = match without_operations(&rest, symbols, &search)? {
             Some(reduced) => reduced,
             None => Reduced::itself(Goal::of(&rest, symbols, String::new())),
