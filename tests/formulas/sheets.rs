@@ -1103,6 +1103,70 @@ fn a_sum_to_infinity_is_taken_where_it_has_a_value() {
 }
 
 #[test]
+fn powers_are_decided_where_their_bases_are_0_too() {
+    let symbols = "parameters = ['x', 'y']\npositive = ['p', 'q']\nintegers = ['n', 'm']";
+    let decide = |tex: &str| decide(symbols, tex).0;
+    for tex in [
+        r"|x|^{2p} > 0",
+        r"|x|^{p+1} > 0",
+        r"|x|^p + |y|^p > 0",
+        r"\frac{1}{1 + |x|^{2p}} < 1",
+        r"|x|^p |x|^q = |x|^{p+q} + 1 - \operatorname{sgn}(x)^2",
+        r"\begin{cases} |x|^p |x|^q & x \neq 0 \\ 5 & x = 0 \end{cases} = |x|^{p+q}",
+    ] {
+        assert_eq!(decide(tex), Verdict::Refuted, "{tex}");
+    }
+    for tex in [
+        r"|x|^p |x|^q = |x|^{p+q}",
+        r"|x|^{2p} \ge 0",
+        r"x^{n-m} = \frac{x^n}{x^m}",
+        r"(x y)^n = x^n y^n",
+    ] {
+        assert_eq!(decide(tex), Verdict::Proved, "{tex}");
+    }
+}
+
+#[test]
+fn a_lemma_that_is_open_is_decided_by_the_signs_of_letters() {
+    let decide = |tex: &str| decide("parameters = ['a', 'b', 'x', 'p']\nintegers = ['n', 'm']", tex);
+    let proved = |provided: &str| (Verdict::Proved, provided.to_owned());
+    for (tex, wanted) in [
+        (r"\int_0^\infty \frac{dx}{x^2 + a^2} = \frac{\pi}{2|a|}", proved("")),
+        (r"\int_{-\pi}^{\pi} \sin m x \cos n x \, dx = 0", proved("")),
+        (r"\int_1^\infty x^{-p} dx = \frac{1}{p-1}", proved("-1 + p > 0")),
+        (r"\lim_{x \to \infty} \frac{\sqrt{a^2 x^2 + 1}}{x} = |a|", proved("")),
+    ] {
+        assert_eq!(decide(tex), wanted, "{tex}");
+    }
+    for tex in [
+        r"\int_0^\infty \frac{dx}{x^2 + a^2} = \frac{\pi}{2 a}",
+        r"\int_{-\pi}^{\pi} \cos m x \cos n x \, dx = 0",
+        r"\lim_{x \to \infty} \frac{\sqrt{a^2 x^2 + 1}}{x} = a",
+        r"\lim_{x \to a} \frac{x - a}{x - b} = 0",
+    ] {
+        assert_eq!(decide(tex).0, Verdict::Refuted, "{tex}");
+    }
+}
+
+#[test]
+fn antiderivatives_may_be_given_by_premises() {
+    let of = r"2 x \cos(x^2) \ln(x + 2) + \frac{\sin(x^2)}{x + 2}";
+    let given = format!(r"\int ({of}) dx = \sin(x^2) \ln(x + 2) + C");
+    let wrong = format!(r"\int ({of}) dx = \sin(x^2) \ln(x + 3) + C");
+    let value = |right: &str| format!(r"\int_0^1 ({of}) dx = {right}");
+    let premises = [("f", given.as_str()), ("g", wrong.as_str())];
+    verdicts_of(
+        "parameters = ['x']",
+        &premises,
+        &[
+            ("'f'", &value(r"\sin(1) \ln 3"), Verdict::Proved),
+            ("'f'", &value(r"\sin(1) \ln 2"), Verdict::Refuted),
+            ("'g'", &value(r"\sin(1) \ln 4"), Verdict::Undecided),
+        ],
+    );
+}
+
+#[test]
 fn sums_have_a_value_from_one_before_their_beginning_on() {
     let decide = |tex: &str| decide("parameters = ['a']\nintegers = ['n']", tex).0;
     for (tex, wanted) in [
