@@ -35,15 +35,15 @@ fn holds(text: &str, [all, sampled]: [usize; 2]) {
 
 #[test]
 fn no_integral_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/integrals.toml"), [247, 78]);
+    holds(include_str!("../textbook/integrals.toml"), [285, 78]);
 }
 
 #[test]
 fn no_limit_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/limits.toml"), [157, 52]);
+    holds(include_str!("../textbook/limits.toml"), [160, 52]);
 }
 
 #[test]
 fn no_sum_of_a_textbook_is_decided_wrongly_and_most_are_decided() {
-    holds(include_str!("../textbook/sums.toml"), [151, 47]);
+    holds(include_str!("../textbook/sums.toml"), [156, 47]);
 }

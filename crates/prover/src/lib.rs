@@ -1022,8 +1022,9 @@ enum Outcome {
 
 /// Steps of the search for a proof, for all quick or all deep ones of a claim, and for a contradiction, for each unit of effort.
 const PROOF_STEPS: u64 = 5_000_000;
-const QUICK_STEPS: u64 = 1_000_000;
-const CLAIM_STEPS: u64 = 12_000_000;
+const QUICK_STEPS: u64 = 1_300_000;
+const ALL_QUICK_STEPS: u64 = 16_000_000;
+const ALL_DEEP_STEPS: u64 = 8_000_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 /// Points of the premises at which the claim holds, before it is taken to be true rather than false.
@@ -1045,11 +1046,10 @@ struct Budget {
 
 impl Budget {
     fn of_claim(effort: u64) -> Self {
-        let steps = CLAIM_STEPS.saturating_mul(effort);
         Self {
             effort,
-            quick: Cell::new(steps),
-            deep: Cell::new(steps),
+            quick: Cell::new(ALL_QUICK_STEPS.saturating_mul(effort)),
+            deep: Cell::new(ALL_DEEP_STEPS.saturating_mul(effort)),
         }
     }
 
