@@ -433,6 +433,7 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Adds that a polynomial is positive, by enclosures over all values of its letters between facts.
     fn between(&mut self, target: &Polynomial, within: &[[usize; 2]]) -> Outcome<()> {
         if self.statement.complex {
             return refused("an order between complex numbers");

@@ -1030,7 +1030,7 @@ const CONTRADICTION_STEPS: u64 = 300_000;
 /// Points of the premises at which the claim holds, before it is taken to be true rather than false.
 const ENOUGH_POINTS: usize = 4;
 
-/// The distance that a question is followed.
+/// The extent of the search for a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Depth {
     Quick,

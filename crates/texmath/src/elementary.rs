@@ -446,7 +446,7 @@ impl Elementary {
         self.command.strip_prefix('\\').filter(|_| self.is_operator)
     }
 
-    /// The function that is its inverse.
+    /// Returns the function of the table that is its inverse.
     pub(super) fn inverse(&self) -> Option<&'static Self> {
         TABLE.iter().find(|row| row.inverse_of == Some(self.command))
     }

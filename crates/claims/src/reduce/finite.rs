@@ -57,7 +57,7 @@ pub(super) fn closed(statements: &Statements, symbols: &Symbols, proposals: &dyn
 
 /// The place of a formula: what holds of the letters that are bound around it.
 struct Scope<'a> {
-    /// What is assumed outside of all of them.
+    /// The conditions of the claim, without those on bound letters.
     said: &'a [Condition],
     statements: Statements,
     symbols: Symbols,

@@ -63,7 +63,7 @@ impl KnownIntegral {
         })
     }
 
-    /// Returns true if a letter of the row stands in it.
+    /// Returns true if the integrand has a letter.
     pub fn speaks_of(&self, letter: &str) -> bool {
         self.of.has_free(&plain(letter))
     }

@@ -1,6 +1,6 @@
 //! The search for definite integrals in the table of known ones: the row, and the values of its letters.
 
-use super::tree::{integer, negative, number, product, quotient, root, sum, value};
+use super::tree::{self, integer, negative, number, product, quotient, root, sum, value};
 use claims::{KnownIntegral, Matched, known_integrals};
 use numbers::{Field as _, Rational};
 use texmath::{Name, Operation, Tree, number_of, rewrite};
@@ -8,7 +8,7 @@ use texmath::{Name, Operation, Tree, number_of, rewrite};
 /// The most values that are tried for a letter of a row.
 const MOST: usize = 24;
 
-/// Where integrands are compared, and how close they must be.
+/// The points at which integrands are compared, and the largest difference.
 const POINTS: [f64; 4] = [0.137, 0.411, 0.773, 0.952];
 const CLOSE: f64 = 1e-9;
 
@@ -189,7 +189,7 @@ fn coefficients(of: &Tree, by: &Name, push: &mut dyn FnMut(Tree)) {
     }
 }
 
-/// The number or letter whose square a tree is written as.
+/// The square root of a square, a letter or a positive number.
 fn square_root(tree: &Tree) -> Option<Tree> {
     match tree {
         Tree::Power(base, 2, _) => Some((**base).clone()),
@@ -197,13 +197,7 @@ fn square_root(tree: &Tree) -> Option<Tree> {
         Tree::Symbol(..) => Some(root(tree.clone(), 2)),
         tree => {
             let value: Rational = number_of(tree).filter(|value| *value > Rational::from_integer(0))?;
-            let whole = |of: i64| (0..=1000).find(|n: &i64| n * n == of);
-            let above = value.0.numerator().to_string().parse().ok().and_then(whole);
-            let below = value.0.denominator().to_string().parse().ok().and_then(whole);
-            Some(match above.zip(below) {
-                Some((above, below)) => number(&Rational::new(above, below)?),
-                None => root(number(&value), 2),
-            })
+            Some(tree::square_root(&value))
         }
     }
 }

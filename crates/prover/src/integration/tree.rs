@@ -98,6 +98,21 @@ pub(crate) fn root(radicand: Tree, index: u32) -> Tree {
     }
 }
 
+/// The square root of a positive number, a number where it is one.
+pub(crate) fn square_root(size: &Rational) -> Tree {
+    let (above, below) = size.0.clone().into_parts();
+    let parts = [above.to_string(), below.to_string()].map(|part| part.parse::<i64>().ok());
+    let exact = parts.map(|part| {
+        let part = part.filter(|part| *part < 1 << 50)?;
+        let near = (part as f64).sqrt().round() as i64;
+        (near * near == part).then_some(near)
+    });
+    match exact {
+        [Some(above), Some(below)] => Rational::new(above, below).map_or_else(|| integer(1), |root| number(&root)),
+        _ => root(number(size), 2),
+    }
+}
+
 pub(crate) fn call(function: &str, argument: Tree) -> Tree {
     Tree::Call(Name::plain(function), Box::new(argument), At::default())
 }

@@ -1,6 +1,6 @@
 //! Powers of what does not move, with exponents that are linear in an index: `\prod b^{s k + o}`.
 
-use super::super::integration::tree::{integer, number, power, product, quotient, real_power, root, sum};
+use super::super::integration::tree::{integer, number, power, product, quotient, real_power, root, square_root, sum};
 use numbers::{Field, Rational};
 use texmath::{Tree, number_of};
 
@@ -170,21 +170,6 @@ impl Monomial {
         let numbers = numbers.map(|(base, _, offset)| to_power(base, *offset));
         let by_root = to_power(&square_root(&size), -shift);
         Some(joined(letters.chain(numbers).chain([by_root]).collect()))
-    }
-}
-
-/// The square root of a positive number, a number where it is one.
-fn square_root(size: &Rational) -> Tree {
-    let (above, below) = size.0.clone().into_parts();
-    let parts = [above.to_string(), below.to_string()].map(|part| part.parse::<i64>().ok());
-    let exact = parts.map(|part| {
-        let part = part.filter(|part| *part < 1 << 50)?;
-        let near = (part as f64).sqrt().round() as i64;
-        (near * near == part).then_some(near)
-    });
-    match exact {
-        [Some(above), Some(below)] => Rational::new(above, below).map_or_else(|| integer(1), |root| number(&root)),
-        _ => root(number(size), 2),
     }
 }
 
