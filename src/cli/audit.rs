@@ -1,10 +1,10 @@
 //! `vibro-audit audit [SHEET ...] [--explain LABEL] [--effort N] [--template]`.
 
+use super::audit_table::{Audited, Row, Unusable, answer, compare, exit, explained};
 use super::decide::{decide, decide_sheet};
 use super::document::{self, Form};
 use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
-use super::verdicts::{Audited, Row, Unusable, answer, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source};
 use crate::claim::{self, Document, Fault, Sheet, Verdict};
 use crate::prove;

@@ -1,9 +1,9 @@
 //! `vibro-audit check [DIR] [--add ID ... | --bless]`.
 
+use super::audit_table::Unusable;
 use super::caller::quietly;
 use super::outcomes::table;
 use super::progress::Progress;
-use super::verdicts::Unusable;
 use super::{Answer, Content, Exit, Failure, Options, added, golden, note};
 use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};

@@ -1,8 +1,8 @@
 //! Decides the claims of a sheet: proofs, witnesses and repairs.
 
 use super::accuse::{holds_as, may_be_misprinted, misprints};
+use super::audit_table::{Row, table};
 use super::progress::Progress;
-use super::verdicts::{Row, table};
 use super::{Failure, note};
 use crate::claim::{self, Fault, Rule, Sheet, Verdict};
 use crate::evidence::witness_near;

@@ -1,8 +1,8 @@
 //! Documents as `audit` reads them: the files that they include, the numbers that they print.
 
+use super::audit_table::Unusable;
 use super::files::Files;
 use super::source::{DOCUMENT_AT_MOST, NOTEBOOK_AT_MOST};
-use super::verdicts::Unusable;
 use super::{Failure, Options, Source, golden, note, notebook};
 use crate::claim::{Document, Fault, Markup, PrintedNumber};
 use crate::reference::{self, Directory, Outcome, PRINTED_COLUMNS, Printed};

@@ -4,6 +4,7 @@ mod accuse;
 mod added;
 mod answer;
 mod audit;
+mod audit_table;
 mod basins;
 mod branch;
 mod caller;
@@ -47,7 +48,6 @@ mod stress;
 mod sweep;
 mod trade;
 mod trajectory;
-mod verdicts;
 mod voltage;
 
 pub use answer::{Answer, Content};

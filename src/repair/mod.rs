@@ -8,6 +8,7 @@
 mod candidate;
 mod combine;
 mod context;
+mod count_slips;
 mod dictionary;
 mod edit;
 mod graph;
@@ -17,11 +18,10 @@ mod path;
 mod points;
 mod printed;
 mod search;
-mod slips;
 
+pub use count_slips::slips;
 pub use path::{Path, node, parts, replaced};
 pub use printed::{Reprinted, reprinted};
-pub use slips::slips;
 
 use crate::claim::{Entry, Sheet};
 use crate::prove::Options;

@@ -4,6 +4,7 @@
 
 mod golden;
 mod imports;
+mod named;
 
 use std::fs;
 use std::path::Path;

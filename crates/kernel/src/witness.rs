@@ -1169,67 +1169,15 @@ impl<'a> At<'a> {
 
     /// A recursion that can be solved for its first and its last state goes on in both directions from any values.
     fn sequence_holds(&mut self, number: usize, given: &Given) -> Outcome<()> {
-        let all: Vec<usize> = (0..self.statement.givens.len())
-            .filter(|&n| {
-                let law = self.statement.givens[n].law.as_ref();
-                law.is_some_and(|law| law.every_impact && law.flight.is_none())
-            })
-            .collect();
-        let family = |at: &mut Self, term: Term| -> (BTreeSet<texmath::Name>, BTreeMap<i32, Symbol>) {
-            let term = at.statement.written_out(term);
-            let (mut names, mut symbols) = (BTreeSet::new(), BTreeMap::new());
-            for inner in at.statement.terms.inside(term) {
-                if let Node::Symbol(symbol) = at.statement.terms.node(inner)
-                    && let Some(Quantity::State { state, index, .. }) = at.statement.quantity(*symbol)
-                {
-                    names.insert(state.clone());
-                    symbols.insert(*index, *symbol);
-                }
-            }
-            (names, symbols)
-        };
-        let (own, symbols) = family(self, given.term);
-        for &other in all.iter().filter(|&&other| other != number) {
-            let term = self.statement.givens[other].term;
-            if !family(self, term).0.is_disjoint(&own) {
-                return refused("states are bound by several recursions");
-            }
-        }
-        if own.len() != 1 {
-            return refused("a recursion of several states");
-        }
-        let is_law = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
-        if self.statement.givens.iter().any(is_law) {
-            return refused("a recursion beside laws of flight");
-        }
+        let (own, symbols) = self.states_in(given.term);
+        self.is_alone(number, &own)?;
         let (Some((&low, &first)), Some((&high, &last))) = (symbols.first_key_value(), symbols.last_key_value()) else {
             return refused("a recursion without states");
         };
-        let declared = self
-            .statement
-            .givens
-            .iter()
-            .filter(|given| matches!(given.origin, Origin::Declared(_)));
-        for term in declared.map(|given| given.term).collect::<Vec<_>>() {
-            if !family(self, term).0.is_disjoint(&own) {
-                return refused("what is declared of a state is not known at every index");
-            }
-        }
         for end in [first, last] {
             let slope = self.statement.derivative(given.term, end);
             let closed = self.property(Property::Nonzero, slope)?;
-            let runs = |symbol: &Symbol| match self.statement.quantity(*symbol) {
-                Some(Quantity::Parameter(name)) => super::statement::is_letter(name, &self.statement.letter),
-                Some(Quantity::State { .. } | Quantity::Time { .. }) => true,
-                _ => false,
-            };
-            let free = !self
-                .statement
-                .terms
-                .inside(slope)
-                .iter()
-                .any(|inner| matches!(self.statement.terms.node(*inner), Node::Symbol(symbol) if runs(symbol)));
-            if !closed || !free || low == high {
+            if !closed || self.runs(slope) || low == high {
                 return refused("a recursion that cannot be solved for its ends");
             }
         }
@@ -1254,6 +1202,58 @@ impl<'a> At<'a> {
             self.holds(&given)?;
         }
         Ok(())
+    }
+
+    /// The states that a term speaks of, and their symbols by index.
+    fn states_in(&mut self, term: Term) -> (BTreeSet<texmath::Name>, BTreeMap<i32, Symbol>) {
+        let term = self.statement.written_out(term);
+        let (mut names, mut symbols) = (BTreeSet::new(), BTreeMap::new());
+        for symbol in self.statement.symbols_in(term) {
+            if let Some(Quantity::State { state, index, .. }) = self.statement.quantity(symbol) {
+                names.insert(state.clone());
+                symbols.insert(*index, symbol);
+            }
+        }
+        (names, symbols)
+    }
+
+    /// A recursion is of one state, of which no other recursion, no flight and no declaration says anything.
+    fn is_alone(&mut self, number: usize, own: &BTreeSet<texmath::Name>) -> Outcome<()> {
+        let givens = self.statement.givens.clone();
+        let is_flown = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
+        let is_recursion = |given: &Given| {
+            given
+                .law
+                .as_ref()
+                .is_some_and(|law| law.every_impact && law.flight.is_none())
+        };
+        for (other, given) in givens.iter().enumerate() {
+            if other != number && is_recursion(given) && !self.states_in(given.term).0.is_disjoint(own) {
+                return refused("states are bound by several recursions");
+            }
+        }
+        if own.len() != 1 {
+            return refused("a recursion of several states");
+        }
+        if givens.iter().any(is_flown) {
+            return refused("a recursion beside laws of flight");
+        }
+        for given in &givens {
+            if matches!(given.origin, Origin::Declared(_)) && !self.states_in(given.term).0.is_disjoint(own) {
+                return refused("what is declared of a state is not known at every index");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a term is another one at another index.
+    fn runs(&self, term: Term) -> bool {
+        let mut symbols = self.statement.symbols_in(term).into_iter();
+        symbols.any(|symbol| match self.statement.quantity(symbol) {
+            Some(Quantity::Parameter(name)) => super::statement::is_letter(name, &self.statement.letter),
+            Some(Quantity::State { .. } | Quantity::Time { .. }) => true,
+            _ => false,
+        })
     }
 
     /// The function and its period, where a law says nothing else.

@@ -1,8 +1,10 @@
 //! Divisions that authors do not mention.
 
+use super::budget::Budget;
+use super::outcome::{Outcome, decided_outcome, points};
 use super::point::Wanted;
+use super::proof;
 use super::script::Found;
-use super::{Budget, Outcome, decided_outcome, points, proof};
 use claims::{Goal, Premise, Question, divisors};
 use kernel::Statement;
 use numbers::{Field, Rational};

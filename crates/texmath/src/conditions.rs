@@ -1,8 +1,8 @@
 //! Conditions on symbols: relations, integers, intervals.
 
 use super::error::{Fault, Reason};
-use super::layout::Plain;
 use super::reader::Reader;
+use super::shorthand::Plain;
 use super::statement::{Statement, divided};
 use super::token::{Bracket, Kind, Set};
 use super::{At, Condition, Doubts, Equation, Name, Names, Operation, ReadError, Relation, Tree};

@@ -1,7 +1,7 @@
 //! Which names are declared, and the first name of a formula that is not.
 
-use super::layout::is_opaque;
 use super::nodes::{any, any_side};
+use super::shorthand::is_opaque;
 use super::symbols::{Map, Symbols, base_alone, index_of, is_constant, pair_of, place_of};
 use super::{Name, Tree, nearest};
 use std::collections::{BTreeSet, HashSet};

@@ -3,8 +3,8 @@
 use super::conditions::conditions_of;
 use super::error::{Fault, Reason};
 use super::hidden;
-use super::layout::Plain;
 use super::reader::Reader;
+use super::shorthand::Plain;
 use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Condition, Doubt, DoubtKind, Doubts, Equation, Name, Names, Operation, ReadError, Relation, Tree};
@@ -300,8 +300,8 @@ impl Reader<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::layout::LONGEST;
     use super::super::reader::DEEPEST;
+    use super::super::shorthand::LONGEST;
     use super::super::spelled::names;
     use super::*;
 

@@ -1,8 +1,8 @@
 //! Terms that cannot be read, each put out of sight as one symbol, so that what is around it can be.
 
 use super::command::is_unread;
-use super::layout::{OPAQUE, Plain, opened};
 use super::relations::related;
+use super::shorthand::{OPAQUE, Plain, opened};
 use super::{Name, Names};
 use std::borrow::Cow;
 use std::ops::Range;

@@ -4,8 +4,8 @@ use super::Names;
 use super::Relation;
 use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, shape, spelled};
 use super::error::{Fault, Reason};
-use super::layout::{OPAQUE, Plain};
 use super::nearest::nearest;
+use super::shorthand::{OPAQUE, Plain};
 use super::token::{Bracket, Kind, Rows, Set, Token};
 use std::collections::BTreeMap;
 

@@ -57,7 +57,6 @@ mod extent;
 mod extremum;
 mod factorial;
 mod hidden;
-mod layout;
 mod lexer;
 mod mathml;
 mod names;
@@ -70,6 +69,7 @@ mod printer;
 mod reader;
 mod relations;
 mod script;
+mod shorthand;
 #[cfg(test)]
 mod spelled;
 mod statement;
@@ -93,7 +93,6 @@ pub use elementary::{Elementary, Parity};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use hidden::has_dots;
-pub use layout::{FUNCTION_LETTERS, LONGEST, derivative_of, is_bold, is_opaque, says_nothing};
 pub use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::{BOLD, Names, Opaque};
@@ -103,6 +102,7 @@ pub use nodes::{
 };
 pub use place::{Lines, Place};
 pub use relations::{Related, related, sign_at};
+pub use shorthand::{FUNCTION_LETTERS, LONGEST, derivative_of, is_bold, is_opaque, says_nothing};
 pub use substitute::{
     flies, mapped, number_of, put_in, put_in_throughout, rewrite, rewrite_alone, rewrite_condition, rewrite_equation,
     runs, tree_runs,

@@ -8,8 +8,8 @@
 use super::Relation;
 use super::bars::pair_bars;
 use super::error::{Fault, Reason};
-use super::layout::{LONGEST, Plain};
 use super::lexer::{INTEGERS, lex};
+use super::shorthand::{LONGEST, Plain};
 use super::token::{Bracket, Kind, Set, Token};
 
 /// The tokens of an equation, never none.

@@ -38,7 +38,7 @@ mod rule;
 mod running;
 mod sequences;
 mod series;
-mod signs;
+mod sign_cases;
 mod supplied;
 mod table;
 mod telescope;
@@ -54,7 +54,7 @@ pub use inequality::alternatives as other_ways;
 pub use infinite::{Multiple, Proposal};
 pub use known::{KnownIntegral, Matched, known_integrals};
 pub use rule::{Rule, Rules};
-pub use signs::{of_nothing, sign_cases};
+pub use sign_cases::{of_nothing, sign_cases};
 pub use table::Row;
 pub use thin::{thin_domains, values};
 
