@@ -243,6 +243,9 @@ impl<'a> Lexer<'a> {
             // behind a condition in front
             ':' if !rest.starts_with(":=") && is_condition_in_front(&self.tokens) => return self.push(Kind::Comma, 1),
             ':' if rest.starts_with(":=") => return self.push(Kind::Relation(Relation::Equal), 2),
+            // as programs write them
+            '<' if rest.starts_with("<=") => return self.push(Kind::Relation(Relation::LessOrEqual), 2),
+            '>' if rest.starts_with(">=") => return self.push(Kind::Relation(Relation::GreaterOrEqual), 2),
             c => {
                 if let Some(tokens) = spelled(c) {
                     let (at, end) = (self.at, self.at + c.len_utf8());
@@ -844,6 +847,13 @@ mod tests {
         let tex = r"\begin{align} \displaystyle \left( a \, b~\;\! \right) \nonumber \label{x{y}} % c
             \bigl[ \biggr] \tag{3} $ $$ \[ \] \end{align}";
         assert_eq!(texts(tex), ["(", "a", "b", ")", "[", "]"]);
+    }
+
+    #[test]
+    fn inequalities_are_read_as_programs_write_them() {
+        let kinds = |tex: &str| lex(tex).unwrap()[1].kind;
+        assert_eq!(kinds("a <= b"), Kind::Relation(Relation::LessOrEqual));
+        assert_eq!(kinds("a >= b"), Kind::Relation(Relation::GreaterOrEqual));
     }
 
     #[test]

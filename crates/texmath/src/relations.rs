@@ -10,8 +10,10 @@ pub enum Related {
 }
 
 /// The signs, the longer before those that they begin with.
-const RELATIONS: [(&str, Related); 23] = [
+const RELATIONS: [(&str, Related); 25] = [
     (":=", Related::Equal),
+    ("<=", Related::Ordered),
+    (">=", Related::Ordered),
     ("=", Related::Equal),
     ("≡", Related::Equal),
     (r"\equiv", Related::Equal),
@@ -57,6 +59,7 @@ mod tests {
     #[test]
     fn the_longest_sign_is_met() {
         assert_eq!(sign_at(":= x"), Some(":="));
+        assert_eq!(sign_at(">= x"), Some(">="));
         assert_eq!(sign_at(r"\le x"), None);
         assert_eq!(related(r"\leq"), Some(Related::Ordered));
         assert_eq!(related(r"\to"), None);
