@@ -983,6 +983,19 @@ fn a_way_of_an_equivalence_has_a_value_wherever_the_other_side_holds() {
             [Undecided, Refuted],
         ),
         (r"x^2 = x \Leftrightarrow \frac{|x|}{x} = 1", [Undecided, Refuted]),
+        // the integral has a value where x > 1 alone
+        (
+            r"x \neq 1 \Leftrightarrow \int_1^\infty t^{-x} dt = \frac{1}{x-1}",
+            [Undecided, Undecided],
+        ),
+        (
+            r"x > 1 \Leftrightarrow \int_1^\infty t^{-x} dt = \frac{1}{x-1}",
+            [Proved, Undecided],
+        ),
+        (
+            r"x \neq 0 \Leftrightarrow \int_0^\infty e^{-x t} dt = \frac{1}{x}",
+            [Undecided, Undecided],
+        ),
     ] {
         assert_eq!(ways(tex), wanted, "{tex}");
     }
@@ -1124,6 +1137,139 @@ fn powers_are_decided_where_their_bases_are_0_too() {
     ] {
         assert_eq!(decide(tex), Verdict::Proved, "{tex}");
     }
+}
+
+/// The verdict on a claim under assumptions.
+fn verdict_under(symbols: &str, assume: &str, tex: &str) -> Verdict {
+    let assume = format!("assume = [{assume}]");
+    let text = format!("[symbols]\n{symbols}\n{}", equation("1", "claim", tex, &assume));
+    audit(&text).unwrap_or_else(|fault| panic!("{tex}\n{fault}"))[0].verdict
+}
+
+#[test]
+fn what_is_said_of_a_free_letter_is_not_said_of_a_bound_one() {
+    let real = "parameters = ['a', 'b', 'x']";
+    let positive = "parameters = ['x']\npositive = ['x']";
+    for (symbols, assume, tex) in [
+        (
+            real,
+            "'x > 0'",
+            r"\left[ \lim_{t \to \infty} e^{-x t} \right]_{x=-1} = 0",
+        ),
+        (real, "'x > 0'", r"\lim_{x \to -1} \lim_{t \to \infty} e^{-x t} = 0"),
+        (real, "'x > 0'", r"\sum_{x=-2}^{-1} \lim_{t \to \infty} e^{-x t} = 0"),
+        (
+            positive,
+            "",
+            r"\lim_{x \to -1} \left( \lim_{t \to \infty} e^{-x t} \right) = 0",
+        ),
+        (real, "'x > 0'", r"\left[ \int_1^x \frac{dt}{t^2} \right]_{x=-1} = 2"),
+        (
+            positive,
+            "",
+            r"\left[ \frac{d}{dx} \int_1^x \frac{dt}{t} \right]_{x=-1} = -1",
+        ),
+        (
+            real,
+            "",
+            r"\int_{-1}^{1} \left( \lim_{t \to \infty} \arctan(x t) \right) dx = \frac{\pi |x|}{x}",
+        ),
+    ] {
+        assert_ne!(verdict_under(symbols, assume, tex), Verdict::Proved, "{tex}");
+    }
+    let integers = "parameters = ['a', 'x', 'n']\nintegers = ['n']";
+    let inner = r"\sum_{n=0}^{3} \left( \lim_{t \to \infty} \frac{n t}{1 + n t} \right) = 3";
+    assert_ne!(verdict_under(integers, r"'n \ge 1'", inner), Verdict::Refuted);
+    // of a letter by itself nothing changes
+    for (assume, tex) in [
+        ("'x > 0'", r"\lim_{x \to 0} \frac{\sin x}{x} = 1"),
+        ("'x > 0'", r"\int_0^x x \, dx = \frac{x^2}{2}"),
+        ("'x < 0'", r"\int_1^2 \frac{dx}{x} = \ln 2"),
+        ("", r"\frac{d}{dx} \int_0^x x e^x \, dx = x e^x"),
+    ] {
+        assert_eq!(verdict_under(real, assume, tex), Verdict::Proved, "{tex}");
+    }
+}
+
+#[test]
+fn a_closed_sum_has_a_value_where_its_sum_has_one() {
+    let integers = "parameters = ['q', 'n']\nintegers = ['n']";
+    // with n = 0 the sum is empty and its term has no value
+    let empty = r"\sum_{k=1}^{n} \frac{1}{n} = 1";
+    assert_ne!(verdict_under(integers, r"'n \ge 0'", empty), Verdict::Proved);
+    assert_eq!(verdict_under(integers, r"'n \ge 1'", empty), Verdict::Proved);
+    let nested = r"\sum_{n=0}^{3} \sum_{k=1}^{n} \frac{1}{n} = 3";
+    assert_ne!(verdict_under(integers, "", nested), Verdict::Refuted);
+}
+
+#[test]
+fn a_premise_with_an_integral_says_what_it_assumes() {
+    let of = |premise: &str, assume: &str, claim: &str| {
+        let premise = equation("p", "premise", premise, &format!("assume = [{assume}]"));
+        let claim = equation("1", "claim", claim, "follows_from = ['p']");
+        let text = format!("[symbols]\nparameters = ['a', 'b', 'x']\n{premise}{claim}");
+        audit(&text).unwrap()[0].verdict
+    };
+    assert_ne!(
+        of(r"\int a x \, dx = \frac{a x^2}{2} + C", "'a > 0'", "|a| = a"),
+        Verdict::Refuted
+    );
+    assert_ne!(
+        of(r"\int \frac{dx}{a} = \frac{x}{a} + C", "", "a^2 > 0"),
+        Verdict::Refuted
+    );
+}
+
+#[test]
+fn an_antiderivative_is_compared_where_its_letter_moves() {
+    let real = "parameters = ['x', 'y']";
+    for (assume, tex) in [
+        (r"'x \ge 0', 'x \le 0'", r"\int x \, dx = x^3 + C"),
+        (r"'x^2 \le 0'", r"\int x \, dx = x^3 + C"),
+        (r"'(x - y)^2 \le 0'", r"\int y \, dx = \frac{x^2}{2} + C"),
+    ] {
+        assert_ne!(verdict_under(real, assume, tex), Verdict::Proved, "{tex}");
+    }
+    let half_line = verdict_under(real, r"'x \ge 0'", r"\int x \, dx = \frac{x^2}{2} + C");
+    assert_eq!(half_line, Verdict::Proved);
+}
+
+#[test]
+fn an_odd_root_that_is_written_as_a_power_has_no_value_at_negative_numbers_in_an_integral() {
+    for tex in [
+        r"\int_{-1}^{1} x^{1/3} e^{x} dx > 0",
+        r"\int_0^1 \left( (-8)^{1/3} + e^{x^2} \right) dx < 0",
+    ] {
+        assert_ne!(verdict_under("parameters = ['a']", "", tex), Verdict::Proved, "{tex}");
+    }
+    for tex in [
+        r"\int_0^1 x^{1/3} e^{x} dx > 1",
+        r"\int_{-1}^{1} \sqrt[3]{x} e^{x} dx > 0",
+    ] {
+        assert_eq!(verdict_under("parameters = ['a']", "", tex), Verdict::Proved, "{tex}");
+    }
+}
+
+#[test]
+fn powers_that_cancel_have_a_sum_everywhere() {
+    let tex = r"\sum_{k=0}^{\infty} (x^k - x^k) = |x - 2| + x - 2";
+    assert_ne!(verdict_under("parameters = ['x']", "", tex), Verdict::Proved);
+}
+
+#[test]
+fn a_power_of_real_exponent_has_no_value_at_negative_bases_at_any_exponent() {
+    let assume = "assume = ['a > 0', 'a < 2', 'b < 1/10']";
+    let decide = |tex: &str| {
+        let text = format!(
+            "[symbols]\nparameters = ['a', 'b']\n{}{assume}\n",
+            equation("1", "claim", tex, "")
+        );
+        audit(&text).unwrap()[0].verdict
+    };
+    // a cube root has values there, and the integral is negative from -1 on
+    let above = r"\int_b^1 x^a e^{-x^2} dx > \frac{1}{100}";
+    assert_ne!(decide(above), Verdict::Refuted);
+    assert_eq!(decide(r"\int_b^1 x^a e^{-x^2} dx > \frac{1}{2}"), Verdict::Refuted);
 }
 
 #[test]

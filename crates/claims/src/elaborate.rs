@@ -939,13 +939,22 @@ impl<'a> Builder<'a> {
                 None => Limit::At(self.tree(end)?),
             });
         }
-        // what the integrand needs is shown where the integral is made
         let brought = self.brought.len();
         self.bound = Some(by.clone());
         let of = self.tree(of);
         self.bound = None;
-        self.brought.truncate(brought);
         let of = of?;
+        // what the integrand needs of its letter is shown where the integral is made
+        let needed = self.brought.split_off(brought);
+        let moves = |term: Term| {
+            let terms = self.statement.terms();
+            terms
+                .inside(term)
+                .into_iter()
+                .any(|inner| *terms.node(inner) == Node::Bound)
+        };
+        let fixed: Vec<(Property, Term)> = needed.into_iter().filter(|(_, term)| !moves(*term)).collect();
+        self.brought.extend(fixed);
         let zero = self.statement.terms_mut().integer(0);
         let value = match *limits.as_slice() {
             [Limit::At(low), Limit::At(high)] => self.statement.terms_mut().integral(of, low, high),
@@ -1060,6 +1069,11 @@ impl<'a> Builder<'a> {
             if !self.statement.is_complex() {
                 self.brought.push((Property::NonNegative, base));
             }
+            // an odd root has values at negative numbers, which the power has not: within an integral an even one says so
+            let (index, power) = match self.bound.is_some() && index % 2 == 1 {
+                true => (2 * index, 2 * power),
+                false => (index, power),
+            };
             let root = self.statement.terms_mut().elementary(Elementary::Root(index), base);
             return Ok(self.power(root, power));
         }

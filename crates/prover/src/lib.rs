@@ -56,9 +56,9 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Fault, Goal, Matched, Proposal, Proposals, Reduced, Rule, Rules, Sheet, Standing, Statements, Verdict,
-    by_induction, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases, thin_domains, under_conditions,
-    values, word_question,
+    Conditional, Fault, Goal, Matched, Proposal, Proposals, Provided, Reduced, Rule, Rules, Sheet, Standing,
+    Statements, Verdict, by_induction, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases, thin_domains,
+    under_conditions, values, word_question,
 };
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Relation, Symbols, Tree, any_side, holds, is_opaque};
@@ -440,9 +440,9 @@ impl<'a> Search<'a> {
                     decision.exception = None;
                     return Some(decision);
                 }
-                // nothing lies in such a case, or the claim has no value there
+                // nothing lies in such a case, or the claim has no value there; a way of an equivalence must have one
                 _ if !is_case => {}
-                Verdict::Refuted => is_undefined = true,
+                Verdict::Refuted if !statements.is_way => is_undefined = true,
                 _ => is_open = true,
             }
         }
@@ -540,11 +540,25 @@ impl<'a> Search<'a> {
 
     /// Decides a claim where the bases of its powers are positive and its integrals have values; nothing where it is not decided so.
     fn under_conditions(&mut self, goals: &Reduced) -> Option<Decision> {
-        let (further, provided) = under_conditions(goals)?;
+        let Conditional { goals, provided } = under_conditions(goals)?;
         let known = self.known();
-        let mut decision = self.together(&further);
+        let mut decision = self.together(&goals);
         match decision.verdict {
-            Verdict::Proved => decision.provide(provided),
+            Verdict::Proved => {
+                let shown = self.known();
+                let mut holds = |goal: &Goal| self.decided_goal(goal).verdict == Verdict::Proved;
+                let needed: Vec<Provided> = provided
+                    .into_iter()
+                    .filter(|own| !own.at_zero.iter().any(&mut holds))
+                    .collect();
+                self.forget(shown);
+                // a way of an equivalence must have a value wherever the other side holds
+                if !needed.is_empty() && goals.sufficient.iter().any(|goal| goal.statements.is_way) {
+                    self.forget(known);
+                    return None;
+                }
+                decision.provide(needed.into_iter().map(|own| own.printed));
+            }
             Verdict::Refuted if !decision.is_vacuous => {}
             _ => {
                 self.forget(known);

@@ -10,115 +10,151 @@ use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, names_in, number_of, speaks_of};
 
-/// Returns the goals with the bases of such powers assumed to be positive and integrals to have values, and these assumptions as
-/// they print; nothing where there is none that is not assumed already.
-pub fn under_conditions(goals: &Reduced) -> Option<(Reduced, Vec<String>)> {
-    let mut further = goals.clone();
-    let mut provided: Vec<String> = Vec::new();
-    for condition in &plainly(&goals.converging) {
-        let printed = condition.to_string();
-        if !provided.contains(&printed) {
-            provided.push(printed);
-        }
+/// Goals under conditions that are not given.
+pub struct Conditional {
+    pub goals: Reduced,
+    pub provided: Vec<Provided>,
+}
+
+/// A condition that goals are under.
+pub struct Provided {
+    /// The condition as it prints.
+    pub printed: String,
+    /// Goals for where the base that it keeps from 0 is 0. The claim holds at 0 too where one of these is proved, and the others
+    /// are or speak of nothing.
+    pub at_zero: Vec<Goal>,
+}
+
+impl Conditional {
+    /// Assumes in the goals and lemmas that an integral or a sum has a value where a condition holds.
+    fn converge_where(&mut self, condition: &Equation) {
+        let converging = &self.goals.converging;
         // what shows that a sum has no value outside of its region must hold there
-        let states_it = |goal: &Goal| {
-            goal.statements
-                .claims
-                .iter()
-                .all(|claim| goals.converging.contains(claim))
+        let is_of_region = |goal: &&mut Goal| {
+            let mut claims = goal.statements.claims.iter();
+            !goal.statements.rules.contains(&Rule::SeriesInfinite) || claims.all(|claim| converging.contains(claim))
         };
-        let is_of_region = |goal: &&mut Goal| !goal.statements.rules.contains(&Rule::SeriesInfinite) || states_it(goal);
-        let lemmas = further.lemmas.iter_mut().filter(is_of_region);
-        for goal in further.sufficient.iter_mut().chain(lemmas) {
+        let lemmas = self.goals.lemmas.iter_mut().filter(is_of_region);
+        for goal in self.goals.sufficient.iter_mut().chain(lemmas) {
             goal.statements.assume.push(Condition::Relation(condition.clone()));
-            goal.statements
-                .rules
-                .insert(match goal.statements.rules.contains(&Rule::SeriesInfinite) {
-                    true => Rule::SeriesConverges,
-                    false => Rule::IntegralConverges,
-                });
+            let rule = match goal.statements.rules.contains(&Rule::SeriesInfinite) {
+                true => Rule::SeriesConverges,
+                false => Rule::IntegralConverges,
+            };
+            goal.statements.rules.insert(rule);
         }
     }
-    let mut at_zero: [Vec<Goal>; 2] = Default::default();
-    let mut of_lemmas: Vec<Equation> = Vec::new();
+
+    /// Adds a condition, once.
+    fn provide(&mut self, condition: &Equation, at_zero: Vec<Goal>) {
+        let printed = condition.to_string();
+        match self.provided.iter_mut().find(|own| own.printed == printed) {
+            Some(own) => own.at_zero.extend(at_zero),
+            None => self.provided.push(Provided { printed, at_zero }),
+        }
+    }
+}
+
+/// Returns the goals with the bases of such powers assumed to be positive and integrals to have values; nothing where there is
+/// none that is not assumed already.
+pub fn under_conditions(goals: &Reduced) -> Option<Conditional> {
+    let mut out = Conditional {
+        goals: goals.clone(),
+        provided: Vec::new(),
+    };
+    for condition in &plainly(&goals.converging) {
+        out.provide(condition, Vec::new());
+        out.converge_where(condition);
+    }
     let claims: Vec<&Tree> = goals
         .sufficient
         .iter()
         .flat_map(|goal| trees(&goal.statements))
         .collect();
-    let is_of_others = |condition: &Equation| {
+    // what a lemma says of a letter of its own is no condition on the claim
+    let is_of_claim = |condition: &Equation| {
         let mut names = BTreeSet::new();
         names_in(&condition.left, &mut names);
-        !names.iter().all(|name| claims.iter().any(|tree| tree.has_free(name)))
+        names.iter().all(|name| claims.iter().any(|tree| tree.has_free(name)))
     };
-    let of_lists = further.sufficient.iter_mut().map(|goal| (goal, 0));
-    for (goal, list) in of_lists.chain(further.lemmas.iter_mut().map(|goal| (goal, 1))) {
-        let whole = goal.clone();
-        let statements = &mut goal.statements;
-        // an integer, or what may be one by its definition: the base may be negative
-        let assumed = |name: &Name| {
-            statements
-                .assume
-                .iter()
-                .any(|own| matches!(own, Condition::Integer(own) if speaks_of(own, name)))
-        };
-        let has_value = |name: &Name| statements.locals.iter().any(|local| local.name == *name);
-        let is_whole = |name: &Name| goal.symbols.is_integer(name) || assumed(name) || has_value(name);
-        let is_assumed = |own: &Equation| statements.assume.contains(&Condition::Relation(own.clone()));
-        let mut found: Vec<Equation> = Vec::new();
-        for tree in trees(statements) {
-            if goal.symbols.may_be_complex(tree) {
-                return None;
-            }
-            any(tree, &mut |node| {
-                conditions(node, &goal.symbols, &is_whole, &mut found);
-                false
-            });
-        }
-        let mut seen: Vec<Equation> = Vec::new();
-        found.retain(|own| {
-            let is_new = !is_assumed(own) && !seen.contains(own);
-            seen.push(own.clone());
-            is_new
-        });
-        at_zero[list].extend(where_bases_vanish(&whole, &found)?);
-        for condition in found {
-            let printed = condition.to_string();
-            // what a lemma says of a letter of its own is no condition on the claim
-            let is_of_claim = list == 0 || !is_of_others(&condition);
-            if is_of_claim && !provided.contains(&printed) {
-                provided.push(printed);
-            }
-            if is_of_claim && list == 1 && !of_lemmas.contains(&condition) {
-                of_lemmas.push(condition.clone());
-            }
-            statements.rules.insert(match condition.relation {
-                Relation::NotEqual => Rule::NonzeroBases,
-                _ => Rule::PositiveBases,
-            });
-            statements.assume.push(Condition::Relation(condition));
-        }
+    let mut met: Vec<(Equation, Vec<Goal>)> = Vec::new();
+    let mut sufficient = Vec::new();
+    for goal in &mut out.goals.sufficient {
+        sufficient.extend(keep_from_zero(goal, &mut met)?);
     }
-    for goal in &mut further.sufficient {
-        for condition in of_lemmas.iter().cloned().map(Condition::Relation) {
+    let (mut of_lemmas, mut lemmas) = (Vec::new(), Vec::new());
+    for goal in &mut out.goals.lemmas {
+        lemmas.extend(keep_from_zero(goal, &mut of_lemmas)?);
+    }
+    of_lemmas.retain(|(condition, _)| is_of_claim(condition));
+    for goal in &mut out.goals.sufficient {
+        for condition in of_lemmas.iter().map(|(own, _)| Condition::Relation(own.clone())) {
             if !goal.statements.assume.contains(&condition) {
                 goal.statements.assume.push(condition);
             }
         }
     }
-    let [sufficient, lemmas] = at_zero;
-    further.sufficient.extend(sufficient);
-    further.lemmas.extend(lemmas);
-    further.sufficient.extend(goals.where_zero.iter().cloned());
-    (!provided.is_empty()).then_some((further, provided))
+    for (condition, at_zero) in met.into_iter().chain(of_lemmas) {
+        out.provide(&condition, at_zero);
+    }
+    out.goals.sufficient.extend(sufficient);
+    out.goals.lemmas.extend(lemmas);
+    out.goals.sufficient.extend(goals.where_zero.iter().cloned());
+    (!out.provided.is_empty()).then_some(out)
+}
+
+/// Assumes in a goal that the bases of its powers are positive, or not 0, where this is not known; adds these conditions to what
+/// was met, each with the goals for where its base is 0, and returns all of these goals. None where it cannot be said.
+fn keep_from_zero(goal: &mut Goal, met: &mut Vec<(Equation, Vec<Goal>)>) -> Option<Vec<Goal>> {
+    let found = new_conditions(goal)?;
+    let vanishing = where_bases_vanish(goal, &found)?;
+    for (place, condition) in found.into_iter().enumerate() {
+        let own = vanishing.iter().filter(|(case, _)| case >> place & 1 == 1);
+        met.push((condition.clone(), own.map(|(_, goal)| goal.clone()).collect()));
+        goal.statements.rules.insert(match condition.relation {
+            Relation::NotEqual => Rule::NonzeroBases,
+            _ => Rule::PositiveBases,
+        });
+        goal.statements.assume.push(Condition::Relation(condition));
+    }
+    Some(vanishing.into_iter().map(|(_, goal)| goal).collect())
+}
+
+/// The conditions on the bases of powers in a goal that it does not assume, each once; None where complex numbers take part.
+fn new_conditions(goal: &Goal) -> Option<Vec<Equation>> {
+    let statements = &goal.statements;
+    // an integer, or what may be one by its definition: the base may be negative
+    let assumed = |name: &Name| {
+        let mut all = statements.assume.iter();
+        all.any(|own| matches!(own, Condition::Integer(own) if speaks_of(own, name)))
+    };
+    let has_value = |name: &Name| statements.locals.iter().any(|local| local.name == *name);
+    let is_whole = |name: &Name| goal.symbols.is_integer(name) || assumed(name) || has_value(name);
+    let mut all: Vec<Equation> = Vec::new();
+    for tree in trees(statements) {
+        if goal.symbols.may_be_complex(tree) {
+            return None;
+        }
+        any(tree, &mut |node| {
+            conditions(node, &goal.symbols, &is_whole, &mut all);
+            false
+        });
+    }
+    let mut found: Vec<Equation> = Vec::new();
+    for condition in all {
+        if !found.contains(&condition) && !statements.assume.contains(&Condition::Relation(condition.clone())) {
+            found.push(condition);
+        }
+    }
+    Some(found)
 }
 
 /// The most bases that may vanish.
 const MOST_BASES: usize = 3;
 
-/// The goals for where some of these bases are 0: a power of one has a value where its exponent is positive, and is 0. None where
-/// so many may be 0.
-fn where_bases_vanish(goal: &Goal, conditions: &[Equation]) -> Option<Vec<Goal>> {
+/// The goals for where some of these bases are 0, with a bit for each that is: a power of one has a value where its exponent is
+/// positive, and is 0. None where so many may be 0.
+fn where_bases_vanish(goal: &Goal, conditions: &[Equation]) -> Option<Vec<(usize, Goal)>> {
     let bases: Vec<&Tree> = conditions.iter().map(|own| &own.left).collect();
     // that a base is not 0 was to be shown for its power to have a value
     if goal.statements.claims.iter().all(|claim| conditions.contains(claim)) {
@@ -135,7 +171,7 @@ fn where_bases_vanish(goal: &Goal, conditions: &[Equation]) -> Option<Vec<Goal>>
                 false => other.push(Condition::Relation(condition.clone())),
             }
         }
-        where_these_vanish(goal, &zero, other)
+        Some((case, where_these_vanish(goal, &zero, other)?))
     });
     Some(cases.collect())
 }

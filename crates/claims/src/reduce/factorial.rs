@@ -193,9 +193,14 @@ pub(super) fn as_quantities(statements: &Statements, symbols: &Symbols) -> Resul
         let least = constants.into_iter().min().unwrap_or_default();
         let name = fresh(&statements, &symbols, "N");
         symbols.let_be_parameter(&name, true);
+        let argument = tree_of(&(letters.clone(), least));
+        // a way of an equivalence is to be shown to have a value
+        if statements.is_way && !is_from_zero(&argument, &statements.assume, &symbols) {
+            return Err(format!("that {argument} is not negative is not shown"));
+        }
         let condition = Equation {
             relation: Relation::GreaterOrEqual,
-            ..Equation::between(tree_of(&(letters.clone(), least)), integer(0))
+            ..Equation::between(argument, integer(0))
         };
         out.assume.push(Condition::Relation(condition));
         quantities.insert(letters, (least, name));
@@ -249,6 +254,27 @@ pub(super) fn least_value(tree: &Tree, least: &dyn Fn(&Name) -> Option<i64>) -> 
         let own = (*factor > 0).then(|| least(letter))??;
         sum.checked_add(factor.checked_mul(own)?)
     })
+}
+
+/// Returns true if such a tree is not negative by what is declared or assumed of each of its letters.
+fn is_from_zero(tree: &Tree, assume: &[Condition], symbols: &Symbols) -> bool {
+    let assumed = |letter: &Name| {
+        let bounds = assume.iter().filter_map(|condition| match condition {
+            Condition::Relation(own) if own.left == symbol(letter) => match own.relation {
+                Relation::GreaterOrEqual => whole(&own.right),
+                Relation::Greater => whole(&own.right).map(|bound| bound + 1),
+                _ => None,
+            },
+            _ => None,
+        });
+        bounds.max()
+    };
+    let least = least_value(tree, &|letter| match letter {
+        letter if symbols.is_positive(letter) => Some(1),
+        letter if symbols.is_nonnegative(letter) => Some(0),
+        letter => assumed(letter),
+    });
+    least.is_some_and(|least| least >= 0)
 }
 
 /// Whether a tree is such with letters that are among these.

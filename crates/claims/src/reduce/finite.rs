@@ -6,6 +6,7 @@
 
 use super::super::premise::Statements;
 use super::build::{difference, infinity, integer, sum, symbol};
+use super::defined::{conditions, with_domain};
 use super::factorial::{is_linear_in, least_value};
 use super::induction::first_value;
 use super::integers::{integers, whole};
@@ -34,7 +35,7 @@ pub(super) fn closed(statements: &Statements, symbols: &Symbols, proposals: &dyn
     }
     let plain = Statements {
         premises: Vec::new(),
-        ..statements.clone()
+        ..with_domain(statements, symbols)
     };
     let scope = Scope {
         said: &statements.assume,
@@ -161,7 +162,7 @@ impl Scope<'_> {
         let there = |place: Tree| rewrite(&found, &|name| (*name == own).then(|| place.clone()));
         let next = |place: &Tree| sum(vec![place.clone(), integer(1)]);
         let steps = difference(there(next(&symbol(&own))), there(symbol(&own)));
-        within.show(Equation::between(of, steps), lemmas);
+        within.show(Equation::between(of.clone(), steps), lemmas);
         if length.is_none_or(|length| length < -1) {
             let last = next(to);
             let relation = Relation::GreaterOrEqual;
@@ -173,7 +174,13 @@ impl Scope<'_> {
                 lemmas,
             );
         }
-        difference(there(next(to)), there(from.clone()))
+        // where the sum is empty its terms do not tell that this has a value
+        let value = difference(there(next(to)), there(from.clone()));
+        let Ok(needed) = conditions(&value, &within.symbols) else {
+            return open();
+        };
+        needed.into_iter().for_each(|condition| self.show(condition, lemmas));
+        value
     }
 
     /// Adds a claim that must hold at each value of the letters that are bound.

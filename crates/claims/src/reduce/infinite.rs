@@ -71,7 +71,8 @@ impl Proposal {
                 && own.shift == first.shift
                 && is_number(&own.factor)
         };
-        let are_powers = self.rows.iter().all(is_like);
+        let orders: BTreeSet<Option<i64>> = self.rows.iter().map(|own| own.row.order()).collect();
+        let are_powers = self.rows.iter().all(is_like) && orders.len() == self.rows.len();
         (self.rows.len() == 1 || are_powers).then(|| first.factor.clone())
     }
 }
@@ -513,7 +514,7 @@ mod tests {
             converging: found.converging,
             ..Default::default()
         };
-        let (further, _) = super::super::under_conditions(&goals).unwrap();
+        let further = super::super::under_conditions(&goals).unwrap().goals;
         let is_assumed = |goal: &Goal| {
             let assumed = |claim: &Equation| goal.statements.assume.contains(&Condition::Relation(claim.clone()));
             goals.converging.iter().all(assumed)

@@ -8,6 +8,7 @@ use super::evaluate::evaluated;
 use super::integers::free_integers;
 use super::integral::{are_numbers, by_antiderivatives, outermost};
 use super::{Goal, Proposals, Reduced, Rule, rewritten, trees};
+use dashu_int::ops::BitTest;
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use texmath::{
@@ -21,7 +22,7 @@ const MOST_GOALS: usize = 8;
 const MOST_WITH_INTEGRALS: usize = 4;
 
 /// The numbers that are put in for a letter in an integral: where it stands in an exponent, and elsewhere.
-const IN_EXPONENTS: [(i64, i64); 4] = [(1, 2), (3, 2), (1, 3), (5, 4)];
+const IN_EXPONENTS: [(i64, i64); 4] = [(1, 2), (3, 2), (1, 4), (5, 4)];
 const ELSEWHERE: [(i64, i64); 6] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (1, 5)];
 
 /// The claim at small numbers for its integers, in all the places where they stand.
@@ -174,19 +175,20 @@ fn number_goal(
     pairs: &[(&Name, Rational)],
     exponents: &[Tree],
 ) -> Option<Goal> {
-    // a power has a value at negative numbers too where its exponent is written as an integer
+    // a power whose exponent is a letter has a value where its base is positive: one whose exponent is written as an integer, or
+    // as a fraction with an odd denominator, has one where it is negative too
     let is_of_real = |exponent: &&Tree| {
         let mut moved = pairs.iter().filter(|(name, _)| exponent.has_free(name));
         moved.any(|(name, _)| !symbols.is_integer(name))
     };
-    let becomes_whole = |exponent: &Tree| {
+    let is_even_root = |exponent: &Tree| {
         let there = rewrite(exponent, &|name| {
             let pair = pairs.iter().find(|(letter, _)| *letter == name);
             pair.map(|(_, value)| Tree::Number(value.clone()))
         });
-        number_of(&there).is_none_or(|value: Rational| value.0.is_int())
+        number_of(&there).is_some_and(|value: Rational| !value.0.denominator().bit(0))
     };
-    if exponents.iter().filter(is_of_real).any(becomes_whole) {
+    if !exponents.iter().filter(is_of_real).all(is_even_root) {
         return None;
     }
     let instance = at(statements, symbols, pairs)?;

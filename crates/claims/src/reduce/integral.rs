@@ -63,6 +63,7 @@ pub(super) fn differentiated(statements: &Statements, symbols: &Symbols) -> Resu
             return Err(format!("premises speak of `{by}`, which the integral is by"));
         }
         super::is_continuous(statements, symbols, &by)?;
+        out.assume = statements.assume.iter().map(|own| in_the_open(own, &by)).collect();
         let constant = plain(CONSTANT_OF_INTEGRATION);
         let is_free = !symbols.knows(&constant);
         let mut sides = Vec::new();
@@ -102,6 +103,24 @@ pub(super) fn differentiated(statements: &Statements, symbols: &Symbols) -> Resu
         );
     }
     Ok(out)
+}
+
+/// A condition without its border where it speaks of a letter: what is differentiated must move.
+fn in_the_open(condition: &Condition, letter: &Name) -> Condition {
+    let strict = |relation: Relation| match relation {
+        Relation::LessOrEqual => Relation::Less,
+        Relation::GreaterOrEqual => Relation::Greater,
+        relation => relation,
+    };
+    match condition {
+        Condition::Relation(own) if own.left.has_free(letter) || own.right.has_free(letter) => {
+            Condition::Relation(Equation {
+                relation: strict(own.relation),
+                ..own.clone()
+            })
+        }
+        condition => condition.clone(),
+    }
 }
 
 /// The terms of a side with their signs.

@@ -4,6 +4,7 @@
 //! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names. The rules are
 //! recorded in the statements that they rewrite, and so in each goal that comes of them.
 
+mod bound;
 mod bounds;
 mod build;
 mod cases;
@@ -48,7 +49,7 @@ use super::definition::{Local, inlined};
 use super::elaborate;
 use super::premise::Statements;
 pub(crate) use build::infinity;
-pub use conditions::under_conditions;
+pub use conditions::{Conditional, Provided, under_conditions};
 pub use divisors::divisors;
 pub use inequality::alternatives as other_ways;
 pub use infinite::{Multiple, Proposal};
@@ -223,7 +224,8 @@ fn without_operations(
     if !trees(statements).into_iter().any(|tree| has_operation(tree, symbols)) {
         return Ok(None);
     }
-    let written = written_out(statements, symbols)?;
+    let (written, symbols) = bound::apart(&written_out(statements, symbols)?, symbols);
+    let symbols = &symbols;
     if let Some((rest, search, lemmas)) = supplied::supplied(&written, symbols, proposals) {
         let mut reduced = match without_operations(&rest, symbols, &search)? {
             Some(reduced) => reduced,

@@ -3,6 +3,7 @@
 use super::super::definition::CONSTANT_OF_INTEGRATION;
 use super::super::premise::Statements;
 use super::build::{negative, plain, sum, symbol};
+use super::defined::necessary;
 use super::derivative::By;
 use super::integral::{integrand, terms};
 use super::{Goal, Matched, Proposal, Proposals, Rule, has_operation};
@@ -58,7 +59,7 @@ pub(super) fn supplied<'a>(
             .map(|(is_negative, term)| if is_negative { negative(term) } else { term })
             .collect())
     };
-    let (mut known, mut lemmas) = (Vec::new(), Vec::new());
+    let (mut known, mut lemmas, mut given) = (Vec::new(), Vec::new(), Vec::new());
     let mut rest = statements.clone();
     let mut premises = std::mem::take(&mut rest.premises);
     premises.retain(|premise| {
@@ -78,10 +79,21 @@ pub(super) fn supplied<'a>(
             return true;
         };
         lemmas.push((Equation::between(slope, of.clone()), premise.assume.clone()));
+        // it says of its letters what it needs to have a value
+        let mut needed = Vec::new();
+        [left, right].into_iter().for_each(|side| necessary(side, &mut needed));
+        given.extend(premise.assume.iter().cloned());
+        given.extend(
+            needed
+                .into_iter()
+                .filter(|own| !own.left.has_free(by) && !own.right.has_free(by))
+                .map(Condition::Relation),
+        );
         known.push((of.clone(), by.clone(), whole));
         false
     });
     rest.premises = premises;
+    rest.assume.extend(given);
     let lemma = |(claim, assume): (Equation, Vec<Condition>)| {
         let mut alone = rest.clone().by(Rule::IntegralDifferentiated);
         let part = format!("a premise: {claim}");
