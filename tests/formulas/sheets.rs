@@ -1251,6 +1251,24 @@ fn an_odd_root_that_is_written_as_a_power_has_no_value_at_negative_numbers_in_an
 }
 
 #[test]
+fn a_counterexample_names_the_numbers_that_stand_for_letters() {
+    for (tex, name, value) in [
+        (
+            r"\int_0^\infty \frac{\cos(a x)}{x^2 + 1} dx = \frac{\pi}{2} e^{-a}",
+            "a",
+            "-1",
+        ),
+        (r"\lim_{t \to 0} \frac{\sqrt{a^2 + t^2} - |a|}{t} = 0", "a", "0"),
+    ] {
+        let text = format!("[symbols]\nparameters = ['a']\n{}", equation("1", "claim", tex, ""));
+        let decision = audit(&text).unwrap().remove(0);
+        assert_eq!(decision.verdict, Verdict::Refuted, "{tex}");
+        let point = decision.counterexample.unwrap().point;
+        assert!(point.contains(&(name.to_owned(), value.to_owned())), "{tex}: {point:?}");
+    }
+}
+
+#[test]
 fn powers_that_cancel_have_a_sum_everywhere() {
     let tex = r"\sum_{k=0}^{\infty} (x^k - x^k) = |x - 2| + x - 2";
     assert_ne!(verdict_under("parameters = ['x']", "", tex), Verdict::Proved);

@@ -279,10 +279,11 @@ impl Witness<'_> {
             let many = if self.fails() && pieces { MANY_PIECES } else { MANY };
             self.look::<N>(&mut search, many, 1);
         }
+        let mut is_undefined = false;
         if !search.found.is_empty() && agrees(&search) {
             match self.verdict {
                 Verdict::Proved => self.probe::<N>(&mut search),
-                Verdict::Refuted | Verdict::Conditional => self.look_at_point::<N>(&mut search),
+                Verdict::Refuted | Verdict::Conditional => is_undefined = self.look_at_point::<N>(&mut search),
                 _ => {}
             }
             self.look_closer::<N>(&mut search);
@@ -301,6 +302,10 @@ impl Witness<'_> {
         let mut evidence = self.summary::<N>(&search.found);
         match self.verdict {
             Verdict::Proved => self.against_proof::<N>(&search.found, &mut evidence),
+            _ if self.fails() && agrees(&search) && is_undefined => {
+                let note = "the sides agree where they have a value; at the counterexample one is not seen to have any";
+                evidence.notes.push(note.to_string());
+            }
             _ if self.fails() && agrees(&search) => self.against_refutation::<N>(&search.found, &mut evidence),
             Verdict::Refuted => {
                 if self.holds_for_cosine::<N>() {
@@ -361,8 +366,9 @@ impl Witness<'_> {
         }
     }
 
-    /// Looks at the point that starts at the values of the counterexample, or of the point of the proof.
-    fn look_at_point<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+    /// Looks at the point that starts at the values of the counterexample, or of the point of the proof. True if a limit, an
+    /// integral or a sum of the claim has no value there that is seen.
+    fn look_at_point<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) -> bool {
         let slots = 0..self.system.space.slots.len();
         let value = |slot: usize| {
             let name = self.system.space.show(slot, &self.system.letter)?;
@@ -371,14 +377,25 @@ impl Witness<'_> {
         };
         let values: BTreeMap<usize, f64> = slots.filter_map(value).collect();
         if values.is_empty() {
-            return;
+            return false;
         }
-        if let Ok(point) = self.system.point_at::<N>(0, Style::Moderate, &values)
-            && let Some(gap) = self.gap::<N>(&point)
-            && !self.system.is_excluded::<N>(&point)
-        {
+        let Ok(point) = self.system.point_at::<N>(0, Style::Moderate, &values) else {
+            return false;
+        };
+        let gap = self.gap::<N>(&point);
+        let may_diverge = |node: &Tree| match node {
+            Tree::Operation(operation, _) => {
+                use Operation::{Integral, Limit, Series};
+                matches!(**operation, Limit { .. } | Integral { .. } | Series { .. })
+            }
+            _ => false,
+        };
+        let mut claims = self.statements.claims.iter();
+        let is_undefined = gap.is_none() && claims.any(|claim| any_side(claim, &mut |node| may_diverge(node)));
+        if let Some(gap) = gap.filter(|_| !self.system.is_excluded::<N>(&point)) {
             search.found.push((point, gap));
         }
+        is_undefined
     }
 
     /// Looks at the first point in 40 digits, where that costs little: what differs there alone is seen.

@@ -2,8 +2,9 @@
 
 use super::counterexample::Counterexample;
 use claims::{Fault, Rules, Sheet, Standing, Statements, Verdict};
+use numbers::Rational;
 use std::collections::HashSet;
-use texmath::{DoubtKind, Equation};
+use texmath::{DoubtKind, Equation, Name};
 
 /// What was decided of one claim, and why.
 ///
@@ -160,6 +161,18 @@ impl Decision {
     pub(super) fn in_part(mut self, part: &str) -> Self {
         if !part.is_empty() {
             self.reason = format!("{part}: {}", self.reason);
+        }
+        self
+    }
+
+    /// Says at which numbers for letters of the claim it fails, of which the counterexample does not speak.
+    pub(super) fn with(mut self, values: &[(Name, Rational)]) -> Self {
+        if let Some(own) = &mut self.counterexample {
+            let new = values.iter().map(|(name, value)| (name.to_string(), value.to_string()));
+            let new: Vec<(String, String)> = new
+                .filter(|(name, _)| own.point.iter().all(|(known, _)| known != name))
+                .collect();
+            own.point.splice(0..0, new);
         }
         self
     }

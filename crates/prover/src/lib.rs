@@ -57,9 +57,10 @@ pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, script
 
 use claims::{
     Conditional, Fault, Goal, Matched, Proposal, Proposals, Provided, Reduced, Rule, Rules, Sheet, Standing,
-    Statements, Verdict, by_induction, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases, thin_domains,
-    under_conditions, values, word_question,
+    Statements, Verdict, by_induction, number_in, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases,
+    thin_domains, under_conditions, values, word_question,
 };
+use numbers::Rational;
 use std::cell::Cell;
 use texmath::{DoubtKind, Equation, Name, Operation, Relation, Symbols, Tree, any_side, holds, is_opaque};
 
@@ -436,7 +437,8 @@ impl<'a> Search<'a> {
                     holding.push(case);
                 }
                 Verdict::Refuted if !decision.is_vacuous => {
-                    let mut decision = decision.in_part(&part);
+                    let values: Vec<(Name, Rational)> = number_in(&case, &sheet.symbols).into_iter().collect();
+                    let mut decision = decision.in_part(&part).with(&values);
                     decision.exception = None;
                     return Some(decision);
                 }
@@ -449,6 +451,14 @@ impl<'a> Search<'a> {
         if is_open || shown.is_empty() {
             self.forget(known);
             return None;
+        }
+        // conditions of different cases do not add up to one: where it holds without any is said
+        if shown.iter().any(|own| own.provided.is_empty()) && shown.iter().any(|own| !own.provided.is_empty()) {
+            let is_bare: Vec<bool> = shown.iter().map(|own| own.provided.is_empty()).collect();
+            let mut of_case = is_bare.iter();
+            holding.retain(|_| of_case.next() == Some(&true));
+            shown.retain(|own| own.provided.is_empty());
+            is_undefined = true;
         }
         let mut decision = Decision {
             reason: self.reason.clone(),
@@ -635,7 +645,7 @@ impl<'a> Search<'a> {
             let known = self.known();
             let found = self.settled_otherwise(goal);
             if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
-                let mut found = found.in_part(&goal.part);
+                let mut found = found.in_part(&goal.part).with(&goal.values);
                 found.exception = None;
                 return found;
             }
@@ -669,7 +679,7 @@ impl<'a> Search<'a> {
                     break;
                 }
                 Verdict::Refuted | Verdict::Unread => {
-                    let mut found = found.in_part(&goal.part);
+                    let mut found = found.in_part(&goal.part).with(&goal.values);
                     found.exception = found.exception.filter(|_| goals.sufficient.len() == 1);
                     return found;
                 }
@@ -991,6 +1001,7 @@ fn goals(
                 statements,
                 symbols: sheet.symbols.clone(),
                 part: String::new(),
+                values: Vec::new(),
                 may_be_empty: false,
             };
             Ok(Reduced::itself(goal))

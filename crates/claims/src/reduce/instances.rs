@@ -27,22 +27,23 @@ const ELSEWHERE: [(i64, i64); 6] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (1,
 
 /// The claim at small numbers for its integers, in all the places where they stand.
 pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
-    let goal = |instance: &Statements, part: String| {
+    let goal = |instance: &Statements, pairs: &[(&Name, Rational)]| {
         let evaluated = evaluated(instance, symbols).ok()?;
         if trees(&evaluated).into_iter().any(super::factorial::stands_in) {
             return None;
         }
-        Some(Goal::of(&evaluated, symbols, part))
+        Some(Goal::of(&evaluated, symbols, named(pairs)).at(pairs))
     };
     first_found(statements, symbols, MOST_GOALS, &goal)
 }
 
 /// The claim with integrals at small numbers for its integers; each instance holds where its lemmas do.
 pub(super) fn with_integrals(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Option<Reduced> {
-    let reduced = |instance: &Statements, part: String| {
+    let reduced = |instance: &Statements, pairs: &[(&Name, Rational)]| {
         let mut reduced = by_antiderivatives(instance, symbols, proposals).ok()??;
+        reduced.sufficient = reduced.sufficient.into_iter().map(|goal| goal.at(pairs)).collect();
         for goal in &mut reduced.sufficient {
-            goal.part.clone_from(&part);
+            goal.part = named(pairs);
         }
         Some(reduced)
     };
@@ -66,7 +67,7 @@ fn first_found<T>(
     statements: &Statements,
     symbols: &Symbols,
     most: usize,
-    found: &dyn Fn(&Statements, String) -> Option<T>,
+    found: &dyn Fn(&Statements, &[(&Name, Rational)]) -> Option<T>,
 ) -> Vec<T> {
     let letters = free_integers(statements, symbols);
     let mut all = Vec::new();
@@ -83,12 +84,17 @@ fn first_found<T>(
             let values = values.into_iter().map(Rational::from_integer);
             let pairs: Vec<(&Name, Rational)> = letters.iter().zip(values).collect();
             if let Some(instance) = at(statements, symbols, &pairs) {
-                let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-                all.extend(found(&instance, part.join(", ")));
+                all.extend(found(&instance, &pairs));
             }
         }
     }
     all
+}
+
+/// The numbers that stand for letters, as they print.
+fn named(pairs: &[(&Name, Rational)]) -> String {
+    let all: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    all.join(", ")
 }
 
 /// The tuples of numbers from 0 that add up to `total`.
@@ -195,8 +201,7 @@ fn number_goal(
     if !are_numbers(&instance, symbols) {
         return None;
     }
-    let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    let goal = Goal::of(&instance, symbols, part.join(", "));
+    let goal = Goal::of(&instance, symbols, named(pairs)).at(pairs);
     elaborate::questions(&goal.statements, &goal.symbols)
         .is_ok()
         .then_some(goal)

@@ -55,10 +55,11 @@ pub use inequality::alternatives as other_ways;
 pub use infinite::{Multiple, Proposal};
 pub use known::{KnownIntegral, Matched, known_integrals};
 pub use rule::{Rule, Rules};
-pub use sign_cases::{of_nothing, sign_cases};
+pub use sign_cases::{number_in, of_nothing, sign_cases};
 pub use table::Row;
 pub use thin::{thin_domains, values};
 
+use numbers::Rational;
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Map, Name, Operation, Symbols, Tree, any, names_in, put_in};
 
@@ -105,6 +106,8 @@ pub struct Goal {
     pub symbols: Symbols,
     /// What it is of the claim: the case, the value of an index, a step; empty where it is the claim itself.
     pub part: String,
+    /// The numbers that stand for letters of the claim.
+    pub values: Vec<(Name, Rational)>,
     /// True for a case that nothing may lie in.
     pub may_be_empty: bool,
 }
@@ -145,8 +148,18 @@ impl Goal {
             statements: statements.clone().with_overview(symbols),
             symbols: symbols.clone(),
             part,
+            values: Vec::new(),
             may_be_empty: false,
         }
+    }
+
+    /// The goal of a claim at numbers for letters of it.
+    fn at(mut self, pairs: &[(&Name, Rational)]) -> Self {
+        self.values = pairs
+            .iter()
+            .map(|(name, value)| ((*name).clone(), value.clone()))
+            .collect();
+        self
     }
 
     /// Leaves out the premises and conditions that hold an operation: what is shown without them holds with them.

@@ -4,6 +4,7 @@ use super::super::premise::Statements;
 use super::build::{difference, integer, negative, sum};
 use super::cases::is_absolute;
 use super::{Goal, Rule, defined, is_spoken_of, rewritten, trees};
+use numbers::Rational;
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, any, mapped, names_in, number_of, rewrite};
 
@@ -38,6 +39,12 @@ pub fn sign_cases(open: &Equation, statements: &Statements, symbols: &Symbols) -
         Relation::Equal => Vec::new(),
         _ => [Relation::Greater, Relation::Less, Relation::Equal].map(to_zero).into(),
     }
+}
+
+/// Returns the letter that a case gives a number, and the number.
+pub fn number_in(case: &Equation, symbols: &Symbols) -> Option<(Name, Rational)> {
+    let (letter, value) = solved(&case.left, symbols).filter(|_| case.relation == Relation::Equal)?;
+    Some((letter, number_of(&value)?))
 }
 
 /// Returns a goal that contradicts what is given where the statements hold nowhere, or the claims have no value.

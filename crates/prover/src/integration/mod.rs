@@ -452,6 +452,13 @@ mod tests {
     }
 
     #[test]
+    fn powers_and_logarithms_of_0_come_to_an_end() {
+        for tex in ["0^x", r"x \ln 0", r"\ln(x - x)", r"\sqrt{0} x"] {
+            found(tex);
+        }
+    }
+
+    #[test]
     fn polynomials_powers_and_waves() {
         for tex in [
             "x^2",

@@ -337,6 +337,9 @@ impl<'a> Tower<'a> {
 
     /// The logarithm, as a sum of those of the factors; these are positive at some point where the whole is.
     fn logarithm(&mut self, of: &Fraction) -> Option<Fraction> {
+        if of.is_zero() {
+            return None;
+        }
         let mut parts: Vec<(Polynomial, i32)> = Vec::new();
         let mut constant = Rational::one();
         for (side, sign) in [(of.above.clone(), 1), (of.below.clone(), -1)] {
