@@ -44,9 +44,9 @@ pub use fault::{Fault, Source};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{
-    Goal, KnownIntegral, Matched, Multiple, Proposal, Proposals, Reduced, Row, Rule, Rules, along_a_sequence,
-    by_induction, divisors, known_integrals, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases,
-    thin_domains, under_conditions, values,
+    Goal, KnownIntegral, Matched, Multiple, Proposal, Proposals, Reduced, Row, Rule, Rules, SeriesTest, Test,
+    along_a_sequence, by_induction, divisors, known_integrals, of_nothing, other_ways, reduced, reduced_by_cases,
+    sign_cases, thin_domains, under_conditions, values,
 };
 pub use sheet::{Sheet, read_symbols};
 pub use verdict::Verdict;
