@@ -1,4 +1,4 @@
-//! Limits and orders: `limits.txt` says which claims are true, and which of them are decided.
+//! Limits and orders, convergence: `limits.txt` and `convergence.txt` say which claims are true, and which of them are decided.
 
 use vibro_audit::claim::{Sheet, Verdict};
 use vibro_audit::prove::{Options, decide};
@@ -6,8 +6,18 @@ use vibro_audit::tex::Symbols;
 
 #[test]
 fn limits_and_orders_are_decided_rightly() {
+    decided_rightly(include_str!("../limits.txt"), 200);
+}
+
+#[test]
+fn sums_and_integrals_to_infinity_are_bounded_and_diverge_rightly() {
+    decided_rightly(include_str!("../convergence.txt"), 70);
+}
+
+/// Checks the verdicts of a list of claims, of which there must be so many.
+fn decided_rightly(list: &str, least: usize) {
     let (mut count, mut wrong) = (0, Vec::new());
-    for line in include_str!("../limits.txt").lines() {
+    for line in list.lines() {
         let Some((kind, claim)) = line.split_once(':').filter(|_| !line.starts_with('#')) else {
             continue;
         };
@@ -33,5 +43,5 @@ fn limits_and_orders_are_decided_rightly() {
         }
     }
     assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
-    assert!(count >= 200, "{count}");
+    assert!(count >= least, "{count}");
 }

@@ -45,8 +45,8 @@ pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{
     Conditional, Goal, KnownIntegral, Matched, Multiple, Proposal, Proposals, Provided, Reduced, Row, Rule, Rules,
-    along_a_sequence, by_induction, divisors, known_integrals, number_in, of_nothing, other_ways, reduced,
-    reduced_by_cases, sign_cases, thin_domains, under_conditions, values,
+    SeriesTest, Test, along_a_sequence, by_induction, divisors, known_integrals, number_in, of_nothing, other_ways,
+    reduced, reduced_by_cases, sign_cases, thin_domains, under_conditions, values,
 };
 pub use sheet::{Sheet, read_symbols};
 pub use verdict::Verdict;

@@ -2,6 +2,7 @@
 
 use super::functional::{Mean, has_sums, mean, with_sums};
 use super::premise::Statements;
+use super::reduce::infinity;
 use kernel::{Letter, Word, WordQuestion, Words, has_arrow};
 use num_traits::One;
 use numbers::Rational;
@@ -799,7 +800,8 @@ fn binds(tree: &Tree, letter: &Name) -> bool {
 
 /// Returns true if a sum between these ends has so many terms.
 fn is_finite(ends: &[impl std::borrow::Borrow<Tree>; 2]) -> bool {
-    ends.iter().all(|end| !matches!(end.borrow(), Tree::Operation(..)))
+    ends.iter()
+        .all(|end| !matches!(end.borrow(), Tree::Operation(..)) && infinity(end.borrow()).is_none())
 }
 
 /// Returns the index and the ends of a sum that a tree is, or has for a factor whose index the others do not speak of, and what is

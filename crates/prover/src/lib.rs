@@ -56,9 +56,9 @@ pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{
-    Conditional, Fault, Goal, Matched, Proposal, Proposals, Provided, Reduced, Rule, Rules, Sheet, Standing,
-    Statements, Verdict, by_induction, number_in, of_nothing, other_ways, reduced, reduced_by_cases, sign_cases,
-    thin_domains, under_conditions, values, word_question,
+    Conditional, Fault, Goal, Matched, Proposal, Proposals, Provided, Reduced, Rule, Rules, SeriesTest, Sheet,
+    Standing, Statements, Verdict, by_induction, number_in, of_nothing, other_ways, reduced, reduced_by_cases,
+    sign_cases, thin_domains, under_conditions, values, word_question,
 };
 use numbers::Rational;
 use std::cell::Cell;
@@ -402,7 +402,7 @@ impl<'a> Search<'a> {
         if let Some(decision) = self.by_signs(sheet, position) {
             return decision;
         }
-        if !holds_integrals(sheet, position) || self.are_lemmas_shown {
+        if !has_ways(sheet, position) || self.are_lemmas_shown {
             return first;
         }
         for place in (1..ways.min(MOST_WAYS)).map(Some).chain([None]) {
@@ -939,11 +939,16 @@ fn joined(cases: &[Equation]) -> Option<Equation> {
     })
 }
 
-/// Returns true if a definite integral stands in a claim.
-fn holds_integrals(sheet: &Sheet, position: usize) -> bool {
-    let is_integral = |operation: &Operation| matches!(operation, Operation::Integral { limits: Some(_), .. });
+/// Returns true if a definite integral or a sum to infinity stands in a claim, of which there may be several ways to its value.
+fn has_ways(sheet: &Sheet, position: usize) -> bool {
+    let is_infinite = |tree: &Tree| matches!(tree, Tree::Operation(own, _) if matches!(**own, Operation::Infinity));
+    let is_one = |operation: &Operation| match operation {
+        Operation::Integral { limits, .. } => limits.is_some(),
+        Operation::Series { to, .. } => is_infinite(to),
+        _ => false,
+    };
     let entry = sheet.entries.get(position);
-    entry.is_some_and(|entry| entry.equations.iter().any(|own| holds(own, &is_integral)))
+    entry.is_some_and(|entry| entry.equations.iter().any(|own| holds(own, &is_one)))
 }
 
 /// The most cases within each other.
@@ -981,6 +986,13 @@ impl Proposals for Ways<'_> {
 
     fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
         summation::summation(term, index, symbols)
+    }
+
+    fn series_test(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<SeriesTest> {
+        let mut found = summation::convergence_tests(term, index, symbols);
+        self.most.set(self.most.get().max(found.len()));
+        let last = found.len().checked_sub(1)?;
+        Some(found.swap_remove(self.place.unwrap_or(last).min(last)))
     }
 }
 

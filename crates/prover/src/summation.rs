@@ -1,12 +1,14 @@
 //! The search for sums to infinity: the term as a combination of terms of the table of sums, and of differences of a
 //! function. Nothing rests on it: what it proposes is shown by lemmas.
 
+mod convergence;
 mod differences;
 mod fractions;
 mod monomial;
 
 use super::integration::tree::{integer, number, product, quotient, sum, symbol};
 use claims::{Multiple, Proposal, Row};
+pub use convergence::tests as convergence_tests;
 use fractions::{Fraction, Pole};
 use monomial::Monomial;
 use numbers::{Field, Rational};

@@ -7,7 +7,9 @@ use super::reader::Reader;
 use super::shorthand::Plain;
 use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Condition, Doubt, DoubtKind, Doubts, Equation, Name, Names, Operation, ReadError, Relation, Tree};
+use super::{
+    At, Condition, Doubt, DoubtKind, Doubts, Equation, Name, Names, Operation, ReadError, Relation, Series, Tree,
+};
 
 /// What a display says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -261,8 +263,7 @@ impl Reader<'_> {
             self.next += 1;
             let side = self.next;
             let start = self.here();
-            let is_limit = matches!(&left, Tree::Operation(own, _) if matches!(**own, Operation::Limit { .. }));
-            let right = match is_limit && self.infinity_ahead().is_some() {
+            let right = match may_be_infinite(&left) && self.infinity_ahead().is_some() {
                 true => self.limit_or_infinity()?,
                 false => *self.sum()?,
             };
@@ -298,6 +299,20 @@ impl Reader<'_> {
     }
 }
 
+/// Returns true for a limit, a definite integral and a sum to infinity.
+fn may_be_infinite(tree: &Tree) -> bool {
+    let Tree::Operation(operation, _) = tree else {
+        return false;
+    };
+    match &**operation {
+        Operation::Limit { .. } | Operation::Integral { limits: Some(_), .. } => true,
+        Operation::Series { kind, to, .. } => {
+            *kind == Series::Sum && matches!(to, Tree::Operation(to, _) if **to == Operation::Infinity)
+        }
+        _ => false,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::reader::DEEPEST;
@@ -306,8 +321,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn infinity_is_a_side_of_an_equation_beside_a_limit_alone() {
+    fn infinity_is_a_side_beside_what_may_be_infinite_alone() {
         for tex in [
+            r"\sum_{k=1}^\infty a = \infty",
+            r"\int_0^1 a \, db < \infty",
+            r"0 < \int_0^\infty a \, db < +\infty",
             r"\lim_{a \to 0} a = -\infty",
             r"b = \lim_{a \to 0} a = {+\infty}",
             r"a = o(a^2) + O(a^3)",
@@ -317,6 +335,8 @@ mod tests {
         }
         for tex in [
             r"a = \infty",
+            r"\sum_{k=1}^n a < \infty",
+            r"\prod_{k=1}^\infty a < \infty",
             r"\lim_{a \to 0} a = 2 \infty",
             r"\lim_{a \to 0} a = \infty + 1",
         ] {

@@ -266,7 +266,15 @@ impl<'a> Reader<'a> {
         if self.take(Kind::Relation(Relation::Equal)).is_none() {
             return Err(self.instead_of("`=` and where the index starts"));
         }
-        let from = *self.sum()?;
+        let start = self.here();
+        let from = match self.infinity_ahead() {
+            Some(_) => self.limit_or_infinity()?,
+            None => *self.sum()?,
+        };
+        if matches!(&from, Tree::Operation(operation, _) if **operation == Operation::Infinity) {
+            let instead = "a sum starts at a number or at minus infinity";
+            return Err(Fault::unsupported(start, "this limit", instead));
+        }
         self.close_brace(at)?;
         Ok((index, from))
     }
@@ -1461,6 +1469,7 @@ mod tests {
             (r"[x]_{x=0}^{y=1}", "of one letter"),
             (r"\sum_{k=1} k", "both limits"),
             (r"\sum_{k=1}^{-\infty} k", "at infinity"),
+            (r"\sum_{k=\infty}^{\infty} k", "at minus infinity"),
             (r"\sum_{k}^{n} k", "`=`"),
             (r"\prod_{k=1}^{n} k a", "a product of several factors"),
             (r"\begin{cases} 1 \\ 2 & x > 0 \end{cases}", "a factor"),

@@ -5,6 +5,7 @@ use super::super::entry::{Entry, RawEntry, Role, Standing};
 use super::super::fault::{Fault, Text};
 use super::super::function::are_different;
 use super::super::implication;
+use super::super::reduce::infinity;
 use super::super::sheet::{FOLLOWS, RawSheet, Sheet};
 use super::super::symbols::{Pairs, RawOpaque, RawSymbols};
 use super::dependence::{Dependence, Varying, with_dots};
@@ -2055,9 +2056,10 @@ fn with_terms(equation: &Equation) -> BTreeSet<String> {
     });
     let mut conditions = BTreeSet::new();
     for (_, from, to) in &ranges {
+        let is_number = |end: &Tree| infinity(end).is_none() && !matches!(end, Tree::Operation(..));
         let is_known = [from, to]
             .into_iter()
-            .all(|end| !matches!(end, Tree::Operation(..)) && letters.iter().all(|index| !end.has_free(index)));
+            .all(|end| is_number(end) && letters.iter().all(|index| !end.has_free(index)));
         if is_known && !matches!((from, to), (Tree::Number(_), Tree::Number(_))) {
             let mut names = BTreeSet::new();
             names_in(from, &mut names);

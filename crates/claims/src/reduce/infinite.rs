@@ -7,19 +7,18 @@
 //! conditions under which the rows converge and what the limit needs are lemmas.
 
 use super::super::premise::Statements;
-use super::build::{difference, infinity, integer, is_zero, product, sum, symbol};
+use super::build::{difference, infinity, integer, is_zero, product, quotient, sum, symbol};
 use super::derivative::mentions;
+use super::endless::{Endless, from_below};
 use super::germ::End;
-use super::induction::with_factorials;
-use super::limit::of_limit;
+use super::series::guess_at;
 use super::table::Row;
+use super::tails::{Tested, tested};
 use super::telescope::tidy;
-use super::{Goal, Proposals, Rule, defined, factorial, fresh, is_spoken_of, rewritten, trees};
+use super::unbounded::{infinite, is_infinite, with_values, without_value};
+use super::{Goal, Proposals, Rule, defined, fresh, has_operation, rewritten, trees};
 use std::collections::BTreeSet;
-use texmath::{
-    Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, index_of, mapped, number_of,
-    rewrite,
-};
+use texmath::{Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, mapped, number_of, rewrite};
 
 /// The most terms of a row that stand before its part in a sum.
 const MOST_BEFORE: i64 = 60;
@@ -44,12 +43,18 @@ pub struct Proposal {
 
 /// The value of a sum to infinity.
 struct Value {
-    tree: Tree,
+    amount: Amount,
     /// The claims that must hold for it to be that.
     lemmas: Vec<Goal>,
     region: Region,
     /// Conditions that hold wherever the sum has a value.
     known: Vec<Equation>,
+}
+
+enum Amount {
+    /// A number, or infinity.
+    Is(Tree),
+    Between([Tree; 2]),
 }
 
 /// The region in which a sum to infinity converges.
@@ -84,23 +89,10 @@ pub(super) struct Summed {
     pub converging: Vec<Equation>,
     /// The statements where the terms of a sum that need these conditions are 0, which decide the claim there.
     pub where_zero: Option<Statements>,
-}
-
-/// The term of a sum to infinity, its index and where it starts.
-fn parts(node: &Tree) -> Option<(&Tree, &Name, &Tree)> {
-    let Tree::Operation(operation, _) = node else {
-        return None;
-    };
-    match &**operation {
-        Operation::Series {
-            kind: Series::Sum,
-            of,
-            index,
-            from,
-            to,
-        } => infinity(to).map(|_| (of, index, from)),
-        _ => None,
-    }
+    /// The symbols with letters for sums, which lie between bounds.
+    pub symbols: Symbols,
+    /// True if such letters are left in the statements, which the claim follows from.
+    pub is_bounded: bool,
 }
 
 fn is_one(node: &Tree) -> bool {
@@ -159,6 +151,8 @@ pub(super) fn summed(
     symbols: &Symbols,
     proposals: &dyn Proposals,
 ) -> Result<Option<Summed>, String> {
+    let whole = rewritten(statements, Rule::SeriesInfinite, &|tree| mapped(tree, &from_below));
+    let statements = &whole;
     if !trees(statements).into_iter().any(stands_in) {
         return Ok(None);
     }
@@ -168,24 +162,40 @@ pub(super) fn summed(
     }
     let (mut values, mut lemmas, mut known) = (Vec::new(), Vec::new(), Vec::new());
     let mut regions: Vec<(Tree, Region)> = Vec::new();
+    let (mut extended, mut bounds) = (symbols.clone(), Vec::new());
     let plain = without_sums(statements);
+    let may_be_infinite = statements.claims.iter().any(is_infinite);
     for node in all {
-        let value = Endless::read(&node, &plain, symbols)?.value(proposals)?;
+        let value = Endless::read(&node, &plain, symbols)?.value(proposals, may_be_infinite)?;
         lemmas.extend(value.lemmas);
         known.extend(value.known);
         if !value.region.conditions.is_empty() {
             regions.push((node.clone(), value.region));
         }
-        values.push((node, value.tree));
+        let tree = match value.amount {
+            Amount::Is(tree) => tree,
+            Amount::Between(own) => {
+                let name = fresh(statements, &extended, "s");
+                extended.let_be_parameter(&name, false);
+                bounds.push(name.clone());
+                let [low, high] = own;
+                sum(vec![low.clone(), product(vec![symbol(&name), difference(high, low)])])
+            }
+        };
+        values.push((node, tree));
+    }
+    let is_claimed = trees(&plain).len() == trees(statements).len();
+    if !bounds.is_empty() && (statements.is_way || !regions.is_empty() || !is_claimed) {
+        return Err("bounds of a sum in a condition, or beside one that converges under conditions".to_owned());
     }
     // a way of an equivalence is to be shown to have a value
     if statements.is_way {
         known.clear();
     }
     let with = |values: &[(Tree, Tree)]| {
-        let mut own = rewritten(statements, Rule::SeriesInfinite, &|tree| replaced(tree, values));
+        let mut own = with_values(statements, Rule::SeriesInfinite, values)?;
         assume(&mut own, &known);
-        own
+        Ok::<Statements, String>(own)
     };
     let (mut converging, mut where_zero) = (Vec::new(), None);
     // of several sums one may be 0 where another has no value
@@ -205,7 +215,7 @@ pub(super) fn summed(
                 let value = if other == node { integer(0) } else { value.clone() };
                 (other.clone(), value)
             };
-            let mut there = with(&values.iter().map(zero).collect::<Vec<_>>());
+            let mut there = with(&values.iter().map(zero).collect::<Vec<_>>())?;
             assume(&mut there, &[Equation::between(factor.clone(), integer(0))]);
             where_zero = Some(there);
         }
@@ -213,12 +223,61 @@ pub(super) fn summed(
     for lemma in &mut lemmas {
         assume(&mut lemma.statements, &known);
     }
+    let (statements, refuting) = within_bounds(with(&values)?, &bounds, &extended);
+    let is_bounded = !bounds.is_empty() && refuting.is_none();
+    lemmas.extend(refuting);
     Ok(Some(Summed {
-        statements: with(&values),
+        statements,
         lemmas,
         converging,
         where_zero,
+        symbols: extended,
+        is_bounded,
     }))
+}
+
+/// The statements with letters from 0 to 1 for the places of sums between their bounds; where a claim is likely to fail for
+/// all of these, which is a lemma, the statements at one of them.
+fn within_bounds(mut statements: Statements, letters: &[Name], symbols: &Symbols) -> (Statements, Option<Goal>) {
+    let within = letters.iter().flat_map(|letter| {
+        let related = |relation: Relation, bound: i64| related(symbol(letter), relation, integer(bound));
+        [related(Relation::GreaterOrEqual, 0), related(Relation::LessOrEqual, 1)]
+    });
+    assume(&mut statements, &within.collect::<Vec<_>>());
+    let opposite = |claim: &Equation| {
+        let sides = [&claim.left, &claim.right];
+        let is_plain = !letters.is_empty() && !sides.iter().any(|side| has_operation(side, symbols));
+        let more = |place: f64| {
+            let value = |side: &Tree| guess_at(side, &|name| letters.contains(name).then_some(place));
+            Some(value(&claim.left)? - value(&claim.right)?)
+        };
+        let (low, high) = (more(0.0)?, more(1.0)?);
+        let relation = match claim.relation {
+            Relation::Equal if low * high > 0.0 => Relation::NotEqual,
+            Relation::Less if low >= 0.0 && high >= 0.0 => Relation::GreaterOrEqual,
+            Relation::LessOrEqual if low > 0.0 && high > 0.0 => Relation::Greater,
+            Relation::Greater if low <= 0.0 && high <= 0.0 => Relation::LessOrEqual,
+            Relation::GreaterOrEqual if low < 0.0 && high < 0.0 => Relation::Less,
+            _ => return None,
+        };
+        is_plain.then(|| related(claim.left.clone(), relation, claim.right.clone()))
+    };
+    let Some(opposite) = statements.claims.iter().find_map(opposite) else {
+        return (statements, None);
+    };
+    let mut lemma = statements.clone().by(Rule::SeriesTest);
+    let part = format!("{opposite} for all values of a sum between its bounds");
+    lemma.claims = vec![opposite];
+    let half = |name: &Name| letters.contains(name).then(|| quotient(integer(1), integer(2)));
+    let refuted = rewritten(&statements, Rule::SeriesTest, &|tree| rewrite(tree, &half));
+    (refuted, Some(Goal::of(&lemma, symbols, part)))
+}
+
+fn related(left: Tree, relation: Relation, right: Tree) -> Equation {
+    Equation {
+        relation,
+        ..Equation::between(left, right)
+    }
 }
 
 fn assume(statements: &mut Statements, known: &[Equation]) {
@@ -239,15 +298,6 @@ fn without_sums(statements: &Statements) -> Statements {
         !sides.into_iter().any(stands_in) && premise.assume.iter().all(is_plain)
     });
     plain
-}
-
-/// A sum to infinity with an index of its own that starts at 0.
-struct Endless {
-    of: Tree,
-    index: Name,
-    /// The statements with the index as an integer from 0 on.
-    within: Statements,
-    symbols: Symbols,
 }
 
 /// Returns true if the sum of the terms of a proposal diverges, whatever the letters are: where one row alone has terms outside of the
@@ -277,94 +327,65 @@ fn diverges(proposal: &Proposal) -> bool {
 }
 
 impl Endless {
-    fn read(node: &Tree, statements: &Statements, symbols: &Symbols) -> Result<Self, String> {
-        let (of, index, from) = parts(node).ok_or("a product to infinity")?;
-        if is_spoken_of(statements, symbols, index) {
-            return Err(format!("premises speak of `{index}`, which the sum is over"));
-        }
-        if [of, from].into_iter().any(|tree| symbols.may_be_complex(tree)) {
-            return Err("a sum of complex numbers to infinity".to_owned());
-        }
-        let integers = super::integers::integers(statements, symbols);
-        if !factorial::is_linear_in(from, &integers) || mentions(from, index) {
-            return Err(format!("the start {from} of a sum to infinity is no integer"));
-        }
-        let is_numbered = |node: &Tree| match node {
-            Tree::Symbol(name, _) => index_of(&name.subscript, &index.to_string()).is_some(),
-            _ => false,
-        };
-        if any(of, &mut |node| is_numbered(node)) {
-            return Err("the terms of a sum to infinity are numbered names".to_owned());
-        }
-        let mut symbols = symbols.clone();
-        let own = fresh(statements, &symbols, &index.base);
-        symbols.let_be_parameter(&own, false);
-        symbols.declare(own.clone(), Meaning::Integer);
-        let there = sum(vec![symbol(&own), from.clone()]);
-        let of = tidy(&rewrite(of, &|name| (name == index).then(|| there.clone())));
-        let mut within = statements.clone().by(Rule::SeriesInfinite);
-        within.assume.push(Condition::Relation(Equation {
-            relation: Relation::GreaterOrEqual,
-            ..Equation::between(symbol(&own), integer(0))
-        }));
-        Ok(Self {
-            of,
-            index: own,
-            within,
-            symbols,
-        })
-    }
-
-    /// The claims that what is written has a value and the claim holds, each at every index.
-    fn at_each_index(&self, claims: Vec<Equation>, lemmas: &mut Vec<Goal>) -> Result<(), String> {
-        for claim in claims {
-            let mut alone = self.within.clone();
-            let part = format!("{claim} at each {}", self.index);
-            alone.claims = vec![claim];
-            lemmas.extend(with_factorials(&alone, &self.symbols, part)?);
-        }
-        Ok(())
-    }
-
-    fn value(mut self, proposals: &dyn Proposals) -> Result<Value, String> {
+    fn value(mut self, proposals: &dyn Proposals, may_be_infinite: bool) -> Result<Value, String> {
         let mut lemmas = Vec::new();
         let (mut known, mut inner) = (Vec::new(), Vec::new());
         let mut all = Vec::new();
         outermost(&self.of, &mut all)?;
         for node in all {
-            let value = Self::read(&node, &self.within, &self.symbols)?.value(proposals)?;
+            let value = Self::read(&node, &self.within, &self.symbols)?.value(proposals, false)?;
             lemmas.extend(value.lemmas);
             lemmas.extend(self.lemmas_of(value.known));
-            inner.push((node, value.tree));
+            match value.amount {
+                Amount::Is(tree) if infinity(&tree).is_none() => inner.push((node, tree)),
+                _ => return Err("a sum to infinity of sums that have no closed form".to_owned()),
+            }
         }
         self.of = replaced(&self.of, &inner);
         let mut needed = Vec::new();
         defined::necessary(&self.of, &mut needed);
         needed.retain(|own| !mentions(&own.left, &self.index) && !mentions(&own.right, &self.index));
         known.extend(needed);
-        self.at_each_index(defined::conditions(&self.of, &self.symbols)?, &mut lemmas)?;
-        let proposal = proposals.summation(&self.of, &self.index, &self.symbols);
-        let proposal = proposal.ok_or("no closed form of a sum to infinity is found")?;
-        let (tree, region) = self.by(&proposal, &mut lemmas)?;
+        let (of_value, amount, region) = self.amount(proposals, may_be_infinite)?;
+        lemmas.extend(of_value);
         for lemma in &mut lemmas {
             assume(&mut lemma.statements, &known);
         }
         Ok(Value {
-            tree,
+            amount,
             lemmas,
             region,
             known,
         })
     }
 
-    fn lemmas_of(&self, claims: Vec<Equation>) -> Vec<Goal> {
-        let goal = |claim: Equation| {
-            let mut alone = self.within.clone();
-            let part = format!("{claim} for a sum to infinity");
-            alone.claims = vec![claim];
-            Goal::of(&alone, &self.symbols, part)
+    /// The value by a proposal, or bounds by a test of convergence, with what must hold for it to be that.
+    fn amount(&self, proposals: &dyn Proposals, may_be_infinite: bool) -> Result<(Vec<Goal>, Amount, Region), String> {
+        let proposal = proposals.summation(&self.of, &self.index, &self.symbols);
+        let by_value = || {
+            let proposal = proposal
+                .as_ref()
+                .ok_or("no closed form of a sum to infinity is found")?;
+            let mut lemmas = Vec::new();
+            self.at_each_index(defined::conditions(&self.of, &self.symbols)?, &mut lemmas)?;
+            let (value, region) = self.by(proposal, &mut lemmas)?;
+            Ok((lemmas, Amount::Is(value), region))
         };
-        claims.into_iter().map(goal).collect()
+        let by_test = || {
+            let mut lemmas = Vec::new();
+            let amount = match tested(self, proposals, &mut lemmas)? {
+                Tested::Between(bounds) => Amount::Between(bounds),
+                Tested::Infinite(is_above) => Amount::Is(infinite(is_above)),
+            };
+            for lemma in &mut lemmas {
+                lemma.statements.rules.insert(Rule::SeriesTest);
+            }
+            Ok((lemmas, amount, Region::default()))
+        };
+        match may_be_infinite && proposal.as_ref().is_some_and(diverges) {
+            true => by_test().or_else(|_: String| by_value()),
+            false => by_value().or_else(|reason: String| by_test().map_err(|why: String| format!("{reason}; {why}"))),
+        }
     }
 
     /// The value by a proposal, and where it is one.
@@ -405,13 +426,12 @@ impl Endless {
         lemmas.extend(self.lemmas_of(regions.clone()));
         if diverges {
             if !is_zero(&proposal.telescoping) {
-                self.limit(&proposal.telescoping, lemmas)?;
+                self.finite_limit(&proposal.telescoping, lemmas)?;
             }
-            // what has no value is written as a quotient that has none
-            return Ok((super::build::quotient(integer(1), integer(0)), Region::default()));
+            return Ok((without_value(), Region::default()));
         }
         if !is_zero(&proposal.telescoping) {
-            value.push(self.limit(&proposal.telescoping, lemmas)?);
+            value.push(self.finite_limit(&proposal.telescoping, lemmas)?);
             value.push(super::build::negative(telescoping(integer(0))));
         }
         regions.retain(|condition| super::instances::relation_holds(condition) != Some(true));
@@ -424,18 +444,8 @@ impl Endless {
         ))
     }
 
-    /// The limit of a function of the index, which that of the function of a real number is.
-    fn limit(&self, of: &Tree, lemmas: &mut Vec<Goal>) -> Result<Tree, String> {
-        let mut symbols = self.symbols.clone();
-        let real = fresh(&self.within, &symbols, "x");
-        symbols.let_be_parameter(&real, false);
-        let of = rewrite(of, &|name| (*name == self.index).then(|| symbol(&real)));
-        let to = Tree::Operation(Box::new(Operation::Infinity), texmath::At::default());
-        let found = of_limit(&self.within, &symbols, &of, &real, &to, &[])?;
-        lemmas.extend(found.lemmas);
-        let has_value = |tree: Tree| Equation::between(tree.clone(), tree);
-        lemmas.extend(self.lemmas_of(found.written.into_iter().map(has_value).collect()));
-        match found.end {
+    fn finite_limit(&self, of: &Tree, lemmas: &mut Vec<Goal>) -> Result<Tree, String> {
+        match self.limit(of, lemmas)? {
             Some(End::Finite(value)) => Ok(*value),
             _ => Err("a sum to infinity that diverges, as far as it is followed".to_owned()),
         }
@@ -446,6 +456,7 @@ impl Endless {
 mod tests {
     use super::super::build::{plain, real_power};
     use super::*;
+    use texmath::{Meaning, Series};
 
     /// The sum of powers of x from 0 on with a proposal.
     struct Proposed(Proposal);

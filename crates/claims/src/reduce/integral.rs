@@ -10,6 +10,7 @@ use super::germ::End;
 use super::limit::of_limit;
 use super::moments::moments;
 use super::series::{guess_at, is_likely_zero};
+use super::unbounded::{infinite, number, total, with_values};
 use super::{Goal, NoProposals, Proposals, Reduced, Rule, defined, factorial, fresh, relations};
 use numbers::{Field, Rational};
 use texmath::{
@@ -189,10 +190,11 @@ pub(super) fn integrated(
     let statements = &defined::with_domain(&gathered(statements, symbols)?, symbols);
     let is_complex = |tree: &Tree| symbols.may_be_complex(tree);
     let is_any_complex = super::trees(statements).into_iter().any(is_complex);
-    let (mut found, mut lemmas, mut converging) = (Vec::<(Operation, Tree)>::new(), Vec::new(), Vec::new());
+    let (mut found, mut lemmas, mut converging) = (Vec::<(Tree, Tree)>::new(), Vec::new(), Vec::new());
     for tree in super::trees(statements) {
         for operation in outermost(tree) {
-            if found.iter().any(|(known, _)| *known == operation) {
+            let node = Tree::Operation(Box::new(operation.clone()), At::default());
+            if found.iter().any(|(known, _)| *known == node) {
                 continue;
             }
             if is_any_complex {
@@ -203,13 +205,13 @@ pub(super) fn integrated(
             };
             lemmas.extend(value.lemmas);
             converging.extend(value.converging);
-            found.push((operation, value.tree));
+            found.push((node, value.tree));
         }
     }
     if found.is_empty() {
         return Ok(None);
     }
-    let without = super::rewritten(statements, Rule::IntegralAntiderivative, &|tree| replaced(tree, &found));
+    let without = with_values(statements, Rule::IntegralAntiderivative, &found)?;
     Ok(Some(Integrated {
         statements: without,
         lemmas,
@@ -291,6 +293,7 @@ fn collect_outermost(tree: &Tree, found: &mut Vec<Operation>) {
 
 /// The value of a definite integral.
 struct Value {
+    /// A number, or infinity.
     tree: Tree,
     /// The claims that must hold for it to be that.
     lemmas: Vec<Goal>,
@@ -331,7 +334,7 @@ fn value_of(
         lemmas.extend(value.lemmas);
         // what an inner one needs may move with the letter
         converging.extend(value.converging.into_iter().filter(|own| !mentions(&own.left, &letter)));
-        inner.push((operation, value.tree));
+        inner.push((operation, number(value.tree)));
     }
     definite.of = replaced(&definite.of, &inner);
     if super::has_operation(&definite.of, symbols) {
@@ -597,7 +600,7 @@ impl Definite<'_> {
             terms.push(value.tree);
         }
         Ok(Some(Value {
-            tree: sum(terms),
+            tree: total(terms),
             lemmas,
             converging: Vec::new(),
         }))
@@ -726,7 +729,9 @@ impl Definite<'_> {
         value.lemmas.extend(self.lemmas(rule, about, within, interval)?);
         let ends = ends.into_iter().collect();
         value.lemmas.extend(self.lemmas(rule, about, ends, Vec::new())?);
-        value.tree = product(vec![integer(2), value.tree]);
+        if infinity(&value.tree).is_none() {
+            value.tree = product(vec![integer(2), value.tree]);
+        }
         Ok(Some(value))
     }
 
@@ -846,7 +851,7 @@ impl Definite<'_> {
         let mut value = |limit: &Tree| self.value_at(whole, &vanishing, limit, &mut lemmas);
         let (high, low) = (value(&high)?, value(&low)?);
         Ok(Value {
-            tree: difference(high, low),
+            tree: total(vec![high, negative(low)]),
             lemmas,
             converging: Vec::new(),
         })
@@ -873,8 +878,7 @@ impl Definite<'_> {
         lemmas.extend(found.lemmas);
         match found.end {
             Some(End::Finite(value)) => Ok(*value),
-            // what has no value is written as a quotient that has none
-            Some(End::Infinite(_)) => Ok(quotient(integer(1), integer(0))),
+            Some(End::Infinite(is_above)) => Ok(infinite(is_above)),
             None => Err("an integral whose antiderivative has no limit, as far as it is followed".to_owned()),
         }
     }

@@ -7,11 +7,11 @@ use super::derivative::mentions;
 use super::germ::{End, Germs, SHORT, Wave};
 use super::prepared::with_factorials;
 use super::series::{add, point_of, relation};
+use super::unbounded::{falsehood, has_value, of_infinity};
 use super::{Goal, Rule, fresh, fresh_like, integers, is_spoken_of, rewritten, trees};
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
-    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, any_side, holds, mapped, names_in, number_of,
-    rewrite,
+    Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, holds, mapped, names_in, number_of, rewrite,
 };
 
 /// The numbers of terms of series that are tried, each where fewer do not tell.
@@ -77,16 +77,6 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
     Ok((out, lemmas))
 }
 
-/// Returns a claim that holds nowhere.
-fn falsehood() -> Equation {
-    Equation::between(integer(0), integer(1))
-}
-
-/// Returns the claim that a tree has a value.
-fn has_value(tree: Tree) -> Equation {
-    Equation::between(tree.clone(), tree)
-}
-
 /// Returns the statements with a limit that is no number: infinity where it is one side of an equation. No equation of numbers holds
 /// where one side is no limit at all.
 fn without_value(statements: &Statements, limit: &Operation, end: Option<&End>) -> Result<Statements, String> {
@@ -125,31 +115,6 @@ fn without_value(statements: &Statements, limit: &Operation, end: Option<&End>) 
 
 fn holds_limit(node: &Tree) -> bool {
     matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Limit { .. }))
-}
-
-/// Reduces an equation with an infinite side.
-fn of_infinity(claim: &Equation) -> Result<Option<Vec<Equation>>, String> {
-    let is_infinite = |node: &Tree| infinity(node).is_some();
-    if !any_side(claim, &mut |node| is_infinite(node)) {
-        return Ok(None);
-    }
-    let (left, right) = (infinity(&claim.left), infinity(&claim.right));
-    let other = match (left, right) {
-        (Some(left), Some(right)) if claim.relation == Relation::Equal => {
-            return Ok(Some(vec![if left == right {
-                has_value(integer(0))
-            } else {
-                falsehood()
-            }]));
-        }
-        (Some(_), None) => &claim.right,
-        (None, Some(_)) => &claim.left,
-        _ => return Err("a limit stands where it is not read".to_owned()),
-    };
-    if claim.relation != Relation::Equal || any(other, &mut |node| is_infinite(node)) {
-        return Err("a limit stands where it is not read".to_owned());
-    }
-    Ok(Some(vec![falsehood(), has_value(other.clone())]))
 }
 
 /// Returns what tends to 0 in `a = 1 + x + O(x^2)`: beside an order, lower powers of the same symbol say so, for where it grows

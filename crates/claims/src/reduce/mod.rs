@@ -13,6 +13,7 @@ mod conditions;
 mod defined;
 mod derivative;
 mod divisors;
+mod endless;
 mod evaluate;
 mod factorial;
 mod finite;
@@ -42,8 +43,10 @@ mod series;
 mod sign_cases;
 mod supplied;
 mod table;
+mod tails;
 mod telescope;
 mod thin;
+mod unbounded;
 
 use super::definition::{Local, inlined};
 use super::elaborate;
@@ -57,6 +60,7 @@ pub use known::{KnownIntegral, Matched, known_integrals};
 pub use rule::{Rule, Rules};
 pub use sign_cases::{number_in, of_nothing, sign_cases};
 pub use table::Row;
+pub use tails::{SeriesTest, Test};
 pub use thin::{thin_domains, values};
 
 use numbers::Rational;
@@ -85,6 +89,11 @@ pub trait Proposals {
 
     /// Returns a function of an index whose differences are the terms of a sum.
     fn telescoping(&self, _term: &Tree, _index: &Name, _symbols: &Symbols) -> Option<Tree> {
+        None
+    }
+
+    /// Returns a test of the convergence of a sum to infinity, with bounds of it; its index runs from 0 on.
+    fn series_test(&self, _term: &Tree, _index: &Name, _symbols: &Symbols) -> Option<SeriesTest> {
         None
     }
 
@@ -237,7 +246,7 @@ fn without_operations(
     if !trees(statements).into_iter().any(|tree| has_operation(tree, symbols)) {
         return Ok(None);
     }
-    let (written, symbols) = bound::apart(&written_out(statements, symbols)?, symbols);
+    let (written, symbols) = bound::apart(&unbounded::finite(&written_out(statements, symbols)?), symbols);
     let symbols = &symbols;
     if let Some((rest, search, lemmas)) = supplied::supplied(&written, symbols, proposals) {
         let mut reduced = match without_operations(&rest, symbols, &search)? {
@@ -248,10 +257,16 @@ fn without_operations(
         return Ok(Some(reduced));
     }
     if let Some(summed) = infinite::summed(&written, symbols, proposals)? {
+        let symbols = &summed.symbols;
         let mut reduced = match without_operations(&summed.statements, symbols, proposals)? {
             Some(reduced) => reduced,
             None => Reduced::itself(Goal::of(&summed.statements, symbols, String::new())),
         };
+        if summed.is_bounded {
+            // it may hold for the value of the sum, and fail for another number between its bounds
+            reduced.is_equivalent = false;
+            reduced.necessary.clear();
+        }
         reduced.lemmas.extend(summed.lemmas);
         reduced.converging.extend(summed.converging);
         if let Some(there) = summed.where_zero {
@@ -393,8 +408,9 @@ fn over_an_index(
     if let Ok(Some(found)) = integrated {
         return of_integrated(found, symbols);
     }
-    if integral::are_numbers(statements, symbols) {
-        let goal = Goal::of(statements, symbols, String::new());
+    let refuted = unbounded::refuted_by_value(statements);
+    if integral::are_numbers(&refuted, symbols) {
+        let goal = Goal::of(&refuted, symbols, String::new());
         // one that is not shown to have a value is not decided
         if elaborate::questions(&goal.statements, &goal.symbols).is_ok() {
             return Ok(Reduced::itself(goal));

@@ -40,6 +40,8 @@ pub enum Rule {
     ValueRelations,
     /// A limit is read off a power series.
     LimitSeries,
+    /// What is below infinity has a value, and what has one is not infinite.
+    Infinity,
     /// `O(x^n)` is read off a power series.
     OrderSeries,
     /// A sum or product of known length is written out.
@@ -50,6 +52,8 @@ pub enum Rule {
     SeriesTelescoping,
     /// A sum to infinity by sums of a table and a limit.
     SeriesInfinite,
+    /// A sum to infinity lies between bounds, or is infinite, by a test of its convergence.
+    SeriesTest,
     /// The region in which a sum to infinity converges is assumed.
     SeriesConverges,
     /// A claim about a sequence by induction along its recurrence.
@@ -141,11 +145,13 @@ impl fmt::Display for Rule {
             Self::IntegralReflection => "integral: reflection",
             Self::ValueRelations => "values: relations",
             Self::LimitSeries => "limit: series",
+            Self::Infinity => "infinity: values",
             Self::OrderSeries => "order: series",
             Self::SeriesTerms => "sum: terms",
             Self::SeriesInduction => "sum: induction",
             Self::SeriesTelescoping => "sum: telescoping",
             Self::SeriesInfinite => "sum: to infinity",
+            Self::SeriesTest => "sum: test of convergence",
             Self::SeriesConverges => "sum: converges",
             Self::SequenceInduction => "sequence: induction",
             Self::SequenceUnrolled => "sequence: unrolled",

@@ -6,7 +6,7 @@ use super::build::{negative, plain, sum, symbol};
 use super::defined::necessary;
 use super::derivative::By;
 use super::integral::{integrand, terms};
-use super::{Goal, Matched, Proposal, Proposals, Rule, has_operation};
+use super::{Goal, Matched, Proposal, Proposals, Rule, SeriesTest, has_operation};
 use texmath::{Condition, Equation, Name, Relation, Symbols, Tree, rewrite};
 
 /// A search that knows the antiderivatives which premises give.
@@ -39,6 +39,10 @@ impl Proposals for Supplied<'_> {
 
     fn summation(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<Proposal> {
         self.search.summation(term, index, symbols)
+    }
+
+    fn series_test(&self, term: &Tree, index: &Name, symbols: &Symbols) -> Option<SeriesTest> {
+        self.search.series_test(term, index, symbols)
     }
 }
 
