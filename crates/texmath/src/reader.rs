@@ -1,11 +1,12 @@
 //! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, one meaning is taken and the others are
 //! noted, or reading fails and says what to write instead.
 
+use super::dots::with_terms_between;
 use super::error::{Fault, Reason};
 use super::extent::{Belongs, Extents, last_call};
 use super::part::{Form, Part, product, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Tree};
+use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Series, Tree};
 use std::collections::HashSet;
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
@@ -90,6 +91,7 @@ impl<'a> Reader<'a> {
     /// The fault of finding the next token where `wanted` must stand.
     pub(super) fn instead_of(&self, wanted: &str) -> Fault {
         match self.peek() {
+            Some(token) if token.kind == Kind::Dots => dots_left_open(token),
             Some(token) => Fault::unexpected(token.at, token.text, wanted),
             None => Fault::unexpected(self.end, "the end", wanted),
         }
@@ -180,6 +182,11 @@ impl<'a> Reader<'a> {
         // braces around a whole term print the sum that stands there
         let mut terms = vec![*first.tree];
         while self.peek_kind().is_some_and(is_sign) {
+            if let Some(dots) = self.look(1).filter(|token| token.kind == Kind::Dots) {
+                self.next += 2;
+                terms = vec![self.terms_between(dots, &terms)?];
+                continue;
+            }
             let at = self.here();
             if let Some(letter) = derived.take() {
                 if reaching.last() != Some(&(terms.len() - 1)) {
@@ -203,6 +210,10 @@ impl<'a> Reader<'a> {
             terms.push(*self.beside(term)?);
             self.skip_empty();
         }
+        if let [tree] = terms.as_mut_slice() {
+            let tree = Box::new(std::mem::replace(tree, Tree::Sum(Vec::new())));
+            return Ok(Part { tree, form: Form::Open });
+        }
         if let Some((at, letter)) = doubt {
             let readings = readings_of_reach(&terms, &reaching);
             self.doubt(at, DoubtKind::Reach { letter, readings });
@@ -211,6 +222,36 @@ impl<'a> Reader<'a> {
             tree: Box::new(Tree::Sum(terms)),
             form: Form::Open,
         })
+    }
+
+    /// The terms before dots that were read, those for which the dots stand, and the last one, which stands next.
+    fn terms_between(&mut self, dots: Token<'a>, first: &[Tree]) -> Result<Tree, Fault> {
+        if !matches!(self.peek_kind(), Some(Kind::Plus | Kind::Minus)) {
+            return Err(dots_left_open(dots));
+        }
+        let last = self.signed_term()?;
+        let last = self.beside(last)?;
+        with_terms_between(Series::Sum, first, &last, At(dots.at)).ok_or_else(|| dots_left_open(dots))
+    }
+
+    /// The same of factors, of which the last one is all that no sign parts.
+    fn factors_between(&mut self, dots: Token<'a>, first: &[Tree]) -> Result<Tree, Fault> {
+        self.take(Kind::Times);
+        let mut last = Vec::new();
+        while last.is_empty() || self.peek_kind().is_some_and(starts_factor) {
+            let factor = self.factor()?;
+            last.push(*self.beside(factor)?);
+        }
+        let last = product(last);
+        with_terms_between(Series::Product, first, &last, At(dots.at)).ok_or_else(|| dots_left_open(dots))
+    }
+
+    /// Takes dots that stand in the place of factors, with a sign of multiplication before them if there is one.
+    fn dots_of_factors(&mut self) -> Option<Token<'a>> {
+        let ahead = usize::from(self.peek_kind() == Some(Kind::Times));
+        let dots = self.look(ahead).filter(|token| token.kind == Kind::Dots)?;
+        self.next += ahead + 1;
+        Some(dots)
     }
 
     /// A term with the sign before it, if any.
@@ -263,7 +304,7 @@ impl<'a> Reader<'a> {
         let first = self.factor()?;
         self.skip_empty();
         match self.peek_kind() {
-            Some(kind) if is_operation(kind) || starts_factor(kind) => self.more_factors(first),
+            Some(kind) if is_operation(kind) || kind == Kind::Dots || starts_factor(kind) => self.more_factors(first),
             _ => Ok(first),
         }
     }
@@ -278,6 +319,15 @@ impl<'a> Reader<'a> {
             let juxtaposed = starts_factor(token.kind);
             if self.is_past_differential(factors.last()) {
                 break;
+            }
+            if let Some(dots) = self.dots_of_factors() {
+                if divided {
+                    return Err(dots_left_open(dots));
+                }
+                factors = vec![self.factors_between(dots, &factors)?];
+                (form, extents) = (Form::Knot, Extents::default());
+                self.skip_empty();
+                continue;
             }
             if !juxtaposed {
                 if !is_operation(token.kind) {
@@ -456,6 +506,11 @@ fn two_quotients(above: Box<Tree>, below: Vec<Tree>, at: usize) -> Fault {
     let inside = quotient(Box::new(Tree::Product(below)));
     let found = "a factor right after a divisor";
     Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
+}
+
+/// The fault of dots of which it is not clear what they stand for.
+fn dots_left_open(dots: Token<'_>) -> Fault {
+    Fault::unreadable(dots.at, dots.text, ": write out what is meant")
 }
 
 /// The letter of the sum, product or limit that a term ends in without brackets.

@@ -90,6 +90,8 @@ pub(super) enum Kind {
     Binomial,
     Comma,
     Stop,
+    /// Dots in the place of terms or factors.
+    Dots,
     /// `&`, which prints nothing.
     Column,
     Row,

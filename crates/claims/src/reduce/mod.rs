@@ -33,6 +33,7 @@ mod prepared;
 mod ranges;
 mod recurrence;
 mod relations;
+mod riemann;
 mod roots;
 mod rule;
 mod running;
@@ -274,6 +275,10 @@ fn without_operations(
     let differentiated;
     (statements, differentiated) = leibniz::differentiated(&statements, symbols)?;
     lemmas.extend(differentiated);
+    if let Some((integrals, needed)) = riemann::integrated(&statements, symbols) {
+        statements = integrals;
+        lemmas.extend(needed);
+    }
     if limit::stands_in(&statements) {
         let needed;
         (statements, needed) = limit::evaluated(&statements, symbols)?;

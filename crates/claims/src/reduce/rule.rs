@@ -68,6 +68,10 @@ pub enum Rule {
     BinomialFactorials,
     /// Factorials of numbers by their values, of letters by n! = n (n - 1)!.
     FactorialRecurrence,
+    /// Factorials of what grows by Stirling's formula with the bounds of Robbins.
+    FactorialStirling,
+    /// The limit of a sum as an integral.
+    RiemannSum,
     /// One goal for each case.
     CasesSplit,
     /// One goal for each sign of what stands between bars.
@@ -155,6 +159,8 @@ impl fmt::Display for Rule {
             Self::MatrixEntries => "matrix: entries",
             Self::BinomialFactorials => "binomial: factorials",
             Self::FactorialRecurrence => "factorial: recurrence",
+            Self::FactorialStirling => "factorial: Stirling",
+            Self::RiemannSum => "sum: Riemann integral",
             Self::CasesSplit => "cases: split",
             Self::ModulusCases => "modulus: cases",
             Self::ModulusBounds => "modulus: bounds",
