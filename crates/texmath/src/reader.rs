@@ -337,6 +337,7 @@ impl<'a> Reader<'a> {
                 self.no_sign(token.text)?;
             }
             let printed = self.first_printed();
+            let is_power_of_negative = self.power_of_negative_follows();
             let factor = self.factor()?;
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
@@ -357,7 +358,9 @@ impl<'a> Reader<'a> {
                 if token.kind != Kind::Open(Bracket::Curly) {
                     self.no_operator(factors.last(), &factor.tree, token.at)?;
                 }
-                self.doubt_bracket(factors.last(), &factor.tree, token.at);
+                if !is_power_of_negative {
+                    self.doubt_bracket(factors.last(), &factor.tree, token.at);
+                }
             }
             let number = factors.len().saturating_sub(1);
             if token.kind != Kind::Slash {

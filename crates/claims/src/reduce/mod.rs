@@ -15,6 +15,7 @@ mod divisors;
 mod evaluate;
 mod factorial;
 mod finite;
+mod floor;
 mod gaussian;
 mod germ;
 mod induction;
@@ -168,7 +169,7 @@ fn has_operation(tree: &Tree, symbols: &Symbols) -> bool {
     any(tree, &mut |node| match node {
         Tree::Operation(..) => true,
         Tree::RealPower(_, exponent, _) => symbols.transposes(exponent),
-        node => factorial::is_one(node) || cases::is_sign(node),
+        node => factorial::is_one(node) || cases::is_sign(node) || floor::is_one(node),
     })
 }
 
@@ -229,6 +230,14 @@ fn without_operations(
         let mut reduced = match without_operations(&rest, symbols, &search)? {
             Some(reduced) => reduced,
             None => Reduced::itself(Goal::of(&rest, symbols, String::new())),
+        };
+        reduced.lemmas.extend(lemmas);
+        return Ok(Some(reduced));
+    }
+    if let Some((rest, extended, lemmas)) = floor::as_integers(&written, symbols)? {
+        let mut reduced = match without_operations(&rest, &extended, proposals)? {
+            Some(reduced) => reduced,
+            None => Reduced::itself(Goal::of(&rest, &extended, String::new())),
         };
         reduced.lemmas.extend(lemmas);
         return Ok(Some(reduced));

@@ -4,7 +4,7 @@
 //! That f is this function, that it is continuous and that all terms have a value are lemmas.
 
 use super::super::premise::Statements;
-use super::build::{infinity, integer, negative, product, quotient, symbol};
+use super::build::{infinity, integer, negative, product, quotient, sum, symbol};
 use super::derivative::mentions;
 use super::integers::whole;
 use super::limit::carried;
@@ -74,13 +74,27 @@ fn integral_of(node: &Tree, statements: &Statements, symbols: &Symbols) -> Optio
     let Operation::Limit { of, by, to } = &**operation else {
         return None;
     };
-    let sum = RiemannSum::of(of, symbols)?;
-    let (times, more) = factorial::multiple_of(sum.to, by)?;
-    let is_long = times >= 1 && more <= 0 && whole(sum.from)? >= 0;
+    // the limit of the other terms exists where that of all does
+    if let Tree::Sum(terms) = of {
+        let limit = |of: Tree| {
+            let (by, to) = (by.clone(), to.clone());
+            Tree::Operation(Box::new(Operation::Limit { of, by, to }), *at)
+        };
+        let parts = terms.iter().enumerate();
+        return parts.into_iter().find_map(|(place, term)| {
+            let (integral, lemmas) = integral_of(&limit(term.clone()), statements, symbols)?;
+            let mut others = terms.clone();
+            others.remove(place);
+            Some((sum(vec![limit(sum(others)), integral]), lemmas))
+        });
+    }
+    let riemann = RiemannSum::of(of, symbols)?;
+    let (times, more) = factorial::multiple_of(riemann.to, by)?;
+    let is_long = times >= 1 && more <= 0 && whole(riemann.from)? >= 0;
     let is_free = |name: &Name| !is_spoken_of(statements, symbols, name) && symbols.running() != Some(name);
-    let is_alone = sum.index != by && is_free(by) && is_free(sum.index);
-    let is_carried = [by, sum.index].into_iter().any(|name| carried(of, name).is_some());
-    if infinity(to) != Some(true) || !is_long || !is_alone || is_carried || has_operation(&sum.term, symbols) {
+    let is_alone = riemann.index != by && is_free(by) && is_free(riemann.index);
+    let is_carried = [by, riemann.index].into_iter().any(|name| carried(of, name).is_some());
+    if infinity(to) != Some(true) || !is_long || !is_alone || is_carried || has_operation(&riemann.term, symbols) {
         return None;
     }
     let x = fresh(statements, symbols, "x");
@@ -89,8 +103,8 @@ fn integral_of(node: &Tree, statements: &Statements, symbols: &Symbols) -> Optio
     let n = fresh(statements, &extended, "n");
     extended.let_be_parameter(&n, true);
     let at_values = |place: Tree, length: Tree| {
-        rewrite(&sum.term, &|name| match name {
-            name if name == sum.index => Some(place.clone()),
+        rewrite(&riemann.term, &|name| match name {
+            name if name == riemann.index => Some(place.clone()),
             name if name == by => Some(length.clone()),
             _ => None,
         })

@@ -72,6 +72,8 @@ pub enum Rule {
     FactorialStirling,
     /// The limit of a sum as an integral.
     RiemannSum,
+    /// The largest integer up to a number is an integer m with m <= x < m + 1.
+    FloorInteger,
     /// One goal for each case.
     CasesSplit,
     /// One goal for each sign of what stands between bars.
@@ -161,6 +163,7 @@ impl fmt::Display for Rule {
             Self::FactorialRecurrence => "factorial: recurrence",
             Self::FactorialStirling => "factorial: Stirling",
             Self::RiemannSum => "sum: Riemann integral",
+            Self::FloorInteger => "floor: integer",
             Self::CasesSplit => "cases: split",
             Self::ModulusCases => "modulus: cases",
             Self::ModulusBounds => "modulus: bounds",
