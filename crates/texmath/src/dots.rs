@@ -5,10 +5,14 @@
 //! `\frac{1}{n + 1} + \frac{1}{n + 2} + \cdots + \frac{1}{2 n}`. All printed terms must be values of the law, the last one at an
 //! index that is found. Two laws, or none, are no reading.
 
+use super::error::Fault;
 use super::evaluate::{Scope, Unsupported, evaluate};
 use super::nodes::{any, names_in};
+use super::part::{product, starts_factor};
+use super::reader::{Reader, dots_left_open};
 use super::substitute::rewrite;
 use super::symbols::is_constant;
+use super::token::{Kind, Token};
 use super::{At, Name, Operation, Series, Tree};
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
@@ -37,8 +41,40 @@ struct Law {
     printed: Tree,
 }
 
+impl<'a> Reader<'a> {
+    /// The terms before dots that were read, those for which the dots stand, and the last one, which stands next.
+    pub(super) fn terms_between(&mut self, dots: Token<'a>, first: &[Tree]) -> Result<Tree, Fault> {
+        if !matches!(self.peek_kind(), Some(Kind::Plus | Kind::Minus)) {
+            return Err(dots_left_open(dots));
+        }
+        let last = self.signed_term()?;
+        let last = self.beside(last)?;
+        with_terms_between(Series::Sum, first, &last, At(dots.at)).ok_or_else(|| dots_left_open(dots))
+    }
+
+    /// The same of factors, of which the last one is all that no sign parts.
+    pub(super) fn factors_between(&mut self, dots: Token<'a>, first: &[Tree]) -> Result<Tree, Fault> {
+        self.take(Kind::Times);
+        let mut last = Vec::new();
+        while last.is_empty() || self.peek_kind().is_some_and(starts_factor) {
+            let factor = self.factor()?;
+            last.push(*self.beside(factor)?);
+        }
+        let last = product(last);
+        with_terms_between(Series::Product, first, &last, At(dots.at)).ok_or_else(|| dots_left_open(dots))
+    }
+
+    /// Takes dots that stand in the place of factors, with a sign of multiplication before them if there is one.
+    pub(super) fn dots_of_factors(&mut self) -> Option<Token<'a>> {
+        let ahead = usize::from(self.peek_kind() == Some(Kind::Times));
+        let dots = self.look(ahead).filter(|token| token.kind == Kind::Dots)?;
+        self.next += ahead + 1;
+        Some(dots)
+    }
+}
+
 /// Returns the sum or product of terms, of which the first ones and the last one are printed.
-pub(super) fn with_terms_between(kind: Series, first: &[Tree], last: &Tree, at: At) -> Option<Tree> {
+fn with_terms_between(kind: Series, first: &[Tree], last: &Tree, at: At) -> Option<Tree> {
     let [one, two, ..] = first else {
         return None;
     };
@@ -345,5 +381,61 @@ fn plus(tree: Tree, more: i64) -> Tree {
         (Some(value), _) => number(value + more),
         (None, 0) => tree,
         (None, more) => Tree::Sum(vec![tree, number(more)]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Names, Tree, read_expression};
+
+    fn read(tex: &str) -> Result<Tree, String> {
+        read_expression(tex, &Names::default()).map_err(|fault| fault.to_string())
+    }
+
+    #[test]
+    fn the_printed_terms_give_the_others() {
+        for (tex, wanted) in [
+            (r"1 + 2 + \cdots + n", r"1 + \sum_{k = 2}^{n} k"),
+            (r"1 + x + x^2 + \cdots + x^n", r"1 + \sum_{k = 1}^{n} x^k"),
+            (r"1 + 2 + 4 + \dots + 2^n", r"1 + \sum_{k = 1}^{n} 2^k"),
+            (r"1^2 + 2^2 + ... + 10^2", r"1^2 + \sum_{k = 2}^{10} k^2"),
+            (r"n + (n - 1) + \cdots + 1", r"n + \sum_{k = 1}^{n - 1} k"),
+            (
+                r"\frac{1}{n + 1} + \frac{1}{n + 2} + \cdots + \frac{1}{2 n}",
+                r"\frac{1}{n + 1} + \sum_{k = 2}^{n} \frac{1}{n + k}",
+            ),
+            (r"1 - x + x^2 - \cdots + (-1)^n x^n", r"1 + \sum_{k = 1}^{n} (-1)^k x^k"),
+            (r"1 \cdot 3 \cdots (2 n - 1)", r"1 \cdot \prod_{k = 2}^{n} (2 k - 1)"),
+            (r"2 \cdot 4 \cdot \ldots \cdot 2 n", r"2 \cdot \prod_{k = 2}^{n} (2 k)"),
+            (r"k + k^2 + \cdots + k^n", r"k + \sum_{j = 2}^{n} k^j"),
+            (
+                r"n (n - 1) \cdots (n - m + 1)",
+                r"n \cdot \prod_{k = 2}^{m} (n - k + 1)",
+            ),
+        ] {
+            assert_eq!(read(tex), read(wanted), "{tex}");
+        }
+    }
+
+    #[test]
+    fn dots_that_may_stand_for_others_are_not_read() {
+        for tex in [
+            r"1 + \cdots + n",
+            r"1 + 2 + \cdots",
+            r"1 + 2 + \cdots + 2^n",
+            r"1 + 3 + \cdots + 3^n",
+            r"1 + \frac{1}{2} + \cdots + \frac{1}{2^n}",
+            r"x + x^2 + \cdots + x^{2^n}",
+            r"\cos(x) + \cos(2 x) + \cdots + \cos(2^n x)",
+            r"1 + 3 + \cdots + n",
+            r"1 + 2 + 5 + \cdots + n",
+            r"x + 2 x + \cdots + y",
+            r"a_1 \cdots a_n",
+            r"1 + 2 \cdots n",
+            r"a / b \cdots c",
+        ] {
+            let fault = read(tex).unwrap_err();
+            assert!(fault.contains("write out what is meant"), "{tex}: {fault}");
+        }
     }
 }

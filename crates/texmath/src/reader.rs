@@ -1,12 +1,11 @@
 //! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, one meaning is taken and the others are
 //! noted, or reading fails and says what to write instead.
 
-use super::dots::with_terms_between;
 use super::error::{Fault, Reason};
 use super::extent::{Belongs, Extents, last_call};
 use super::part::{Form, Part, product, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Series, Tree};
+use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Tree};
 use std::collections::HashSet;
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
@@ -224,38 +223,8 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// The terms before dots that were read, those for which the dots stand, and the last one, which stands next.
-    fn terms_between(&mut self, dots: Token<'a>, first: &[Tree]) -> Result<Tree, Fault> {
-        if !matches!(self.peek_kind(), Some(Kind::Plus | Kind::Minus)) {
-            return Err(dots_left_open(dots));
-        }
-        let last = self.signed_term()?;
-        let last = self.beside(last)?;
-        with_terms_between(Series::Sum, first, &last, At(dots.at)).ok_or_else(|| dots_left_open(dots))
-    }
-
-    /// The same of factors, of which the last one is all that no sign parts.
-    fn factors_between(&mut self, dots: Token<'a>, first: &[Tree]) -> Result<Tree, Fault> {
-        self.take(Kind::Times);
-        let mut last = Vec::new();
-        while last.is_empty() || self.peek_kind().is_some_and(starts_factor) {
-            let factor = self.factor()?;
-            last.push(*self.beside(factor)?);
-        }
-        let last = product(last);
-        with_terms_between(Series::Product, first, &last, At(dots.at)).ok_or_else(|| dots_left_open(dots))
-    }
-
-    /// Takes dots that stand in the place of factors, with a sign of multiplication before them if there is one.
-    fn dots_of_factors(&mut self) -> Option<Token<'a>> {
-        let ahead = usize::from(self.peek_kind() == Some(Kind::Times));
-        let dots = self.look(ahead).filter(|token| token.kind == Kind::Dots)?;
-        self.next += ahead + 1;
-        Some(dots)
-    }
-
     /// A term with the sign before it, if any.
-    fn signed_term(&mut self) -> Result<Part, Fault> {
+    pub(super) fn signed_term(&mut self) -> Result<Part, Fault> {
         self.skip_empty();
         let Some(kind) = self.peek_kind().filter(|kind| is_sign(*kind)) else {
             return self.term();
@@ -289,7 +258,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The tree of `part`, if something may stand beside it.
-    fn beside(&self, part: Part) -> Result<Box<Tree>, Fault> {
+    pub(super) fn beside(&self, part: Part) -> Result<Box<Tree>, Fault> {
         match part.form {
             Form::Braced => {
                 let instead = "TeX braces do not print; write ( ) around it";
@@ -512,7 +481,7 @@ fn two_quotients(above: Box<Tree>, below: Vec<Tree>, at: usize) -> Fault {
 }
 
 /// The fault of dots of which it is not clear what they stand for.
-fn dots_left_open(dots: Token<'_>) -> Fault {
+pub(super) fn dots_left_open(dots: Token<'_>) -> Fault {
     Fault::unreadable(dots.at, dots.text, ": write out what is meant")
 }
 

@@ -36,9 +36,9 @@ pub(super) fn as_integers(
     }
     refuse_elsewhere(statements, symbols)?;
     let mut symbols = symbols.clone();
-    let mut out = rewritten(statements, Rule::FloorInteger, &|tree| without_integers(tree, &symbols));
-    let mut lemmas = Vec::new();
+    let (mut out, mut lemmas) = (statements.clone(), Vec::new());
     for _ in 0..MOST {
+        out = rewritten(&out, Rule::FloorInteger, &|tree| without_integers(tree, &symbols));
         let Some(argument) = trees(&out).into_iter().find_map(innermost) else {
             return Ok(Some((out, symbols, lemmas)));
         };

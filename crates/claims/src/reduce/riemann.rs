@@ -97,47 +97,55 @@ fn integral_of(node: &Tree, statements: &Statements, symbols: &Symbols) -> Optio
     if infinity(to) != Some(true) || !is_long || !is_alone || is_carried || has_operation(&riemann.term, symbols) {
         return None;
     }
-    let x = fresh(statements, symbols, "x");
-    let mut extended = symbols.clone();
-    extended.let_be_parameter(&x, false);
-    let n = fresh(statements, &extended, "n");
-    extended.let_be_parameter(&n, true);
-    let at_values = |place: Tree, length: Tree| {
-        rewrite(&riemann.term, &|name| match name {
-            name if name == riemann.index => Some(place.clone()),
-            name if name == by => Some(length.clone()),
-            _ => None,
-        })
-    };
-    let term = at_values(product(vec![symbol(&n), symbol(&x)]), symbol(&n));
-    let integrand = at_values(symbol(&x), integer(1));
-    let mut claims = defined::conditions(&term, &extended).ok()?;
-    claims.extend(defined::conditions(&integrand, &extended).ok()?);
-    claims.push(Equation::between(product(vec![symbol(&n), term]), integrand.clone()));
-    let within = [
-        (Relation::GreaterOrEqual, integer(0)),
-        (Relation::LessOrEqual, integer(times)),
-    ];
-    let mut alone = statements.clone().by(Rule::RiemannSum);
-    alone.assume.extend(within.map(|(relation, bound)| {
-        Condition::Relation(Equation {
-            relation,
-            ..Equation::between(symbol(&x), bound)
-        })
-    }));
-    let lemma = |claim: Equation| {
-        let mut alone = alone.clone();
-        let part = format!("the Riemann sum: {claim}");
-        alone.claims = vec![claim];
-        Goal::of(&alone, &extended, part)
-    };
-    let integral = Operation::Integral {
-        of: integrand,
-        by: x.clone(),
-        limits: Some((integer(0), integer(times))),
-    };
-    let lemmas = claims.into_iter().map(lemma).collect();
+    let (integral, lemmas) = riemann.integral(by, times, statements, symbols)?;
     Some((Tree::Operation(Box::new(integral), *at), lemmas))
+}
+
+impl RiemannSum<'_> {
+    /// Returns the integral from 0 to a number, and what must hold for the sum to tend to it.
+    fn integral(
+        &self,
+        length: &Name,
+        times: i64,
+        statements: &Statements,
+        symbols: &Symbols,
+    ) -> Option<(Operation, Vec<Goal>)> {
+        let x = fresh(statements, symbols, "x");
+        let mut extended = symbols.clone();
+        extended.let_be_parameter(&x, false);
+        let n = fresh(statements, &extended, "n");
+        extended.let_be_parameter(&n, true);
+        let at_values = |place: Tree, many: Tree| {
+            rewrite(&self.term, &|name| match name {
+                name if name == self.index => Some(place.clone()),
+                name if name == length => Some(many.clone()),
+                _ => None,
+            })
+        };
+        let term = at_values(product(vec![symbol(&n), symbol(&x)]), symbol(&n));
+        let integrand = at_values(symbol(&x), integer(1));
+        let mut claims = defined::conditions(&term, &extended).ok()?;
+        claims.extend(defined::conditions(&integrand, &extended).ok()?);
+        claims.push(Equation::between(product(vec![symbol(&n), term]), integrand.clone()));
+        let mut base = statements.clone().by(Rule::RiemannSum);
+        let bounds = [(Relation::GreaterOrEqual, 0), (Relation::LessOrEqual, times)];
+        base.assume.extend(bounds.map(|(relation, bound)| {
+            Condition::Relation(Equation {
+                relation,
+                ..Equation::between(symbol(&x), integer(bound))
+            })
+        }));
+        let lemma = |claim: Equation| {
+            let mut alone = base.clone();
+            let part = format!("the Riemann sum: {claim}");
+            alone.claims = vec![claim];
+            Goal::of(&alone, &extended, part)
+        };
+        let lemmas = claims.into_iter().map(lemma).collect();
+        let limits = Some((integer(0), integer(times)));
+        let (of, by) = (integrand, x);
+        Some((Operation::Integral { of, by, limits }, lemmas))
+    }
 }
 
 impl<'a> RiemannSum<'a> {
