@@ -83,6 +83,7 @@ pub(super) fn is_plainly_not_negative(tree: &Tree, symbols: &Symbols, assumed: &
                     || symbols.is_positive(name)
                     || symbols.is_nonnegative(name)
             }
+            Tree::Call(name, ..) if matches!(name.base.as_str(), r"\factorial" | r"\doublefactorial") => true,
             Tree::Call(name, ..) => Elementary::named(name).is_some_and(Elementary::is_never_negative),
             Tree::Power(inner, exponent, _) => exponent % 2 == 0 || again(inner),
             Tree::Root(_, index, _) => index % 2 == 0,

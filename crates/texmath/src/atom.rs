@@ -68,6 +68,10 @@ impl<'a> Reader<'a> {
             Kind::Series(kind) => self.series(token, kind),
             Kind::Integral => self.integral(token),
             Kind::Limit => self.limit_of(token),
+            Kind::Open(bracket @ (Bracket::Floor | Bracket::Ceiling)) => {
+                let tree = self.rounded(token, bracket)?;
+                self.carried(tree, Form::Bracketed)
+            }
             Kind::Open(bracket) => {
                 let inside = self.next + 1;
                 let tree = self.bracketed()?;

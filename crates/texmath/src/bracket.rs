@@ -1,6 +1,6 @@
 //! Brackets that print, braces that do not, and their partners.
 
-use super::command::ABSOLUTE;
+use super::command::{ABSOLUTE, FLOOR};
 use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Token};
@@ -51,13 +51,28 @@ impl<'a> Reader<'a> {
         Ok(Box::new(Tree::Call(Name::plain(ABSOLUTE), argument, At(open.at))))
     }
 
+    /// The largest integer up to a number, or the least one from it on, whose opening bracket stands next.
+    pub(super) fn rounded(&mut self, open: Token<'a>, kind: Bracket) -> Result<Box<Tree>, Fault> {
+        self.next += 1;
+        let argument = self.sum()?;
+        self.close(open, kind)?;
+        let floor = |of: Box<Tree>| Box::new(Tree::Call(Name::plain(FLOOR), of, At(open.at)));
+        Ok(match kind {
+            Bracket::Floor => floor(argument),
+            _ => Box::new(Tree::Negate(floor(Box::new(Tree::Negate(argument))))),
+        })
+    }
+
     /// Takes an opening bracket of any kind but a bar or what holds rows.
     pub(super) fn open(&mut self) -> Option<(Token<'a>, Bracket)> {
         let token = self.peek()?;
         let Kind::Open(kind) = token.kind else {
             return None;
         };
-        if matches!(kind, Bracket::Bar | Bracket::DoubleBar | Bracket::Rows(_)) {
+        if matches!(
+            kind,
+            Bracket::Bar | Bracket::DoubleBar | Bracket::Floor | Bracket::Ceiling | Bracket::Rows(_)
+        ) {
             return None;
         }
         self.next += 1;

@@ -97,7 +97,8 @@ impl<'a> Reader<'a> {
         let is_plain = power.is_none();
         let factors = self.names.opaque.as_ref().map(|opaque| &opaque.factors);
         let is_factor = factors.is_some_and(|factors| factors.contains(&name.base)) && self.letters_in_brackets() > 1;
-        if is_plain && !is_factor && self.single_term_in_brackets_follows() {
+        let is_refused = self.single_term_in_brackets_follows() && !self.power_of_negative_follows();
+        if is_plain && !is_factor && is_refused {
             let found = format!("`{name}` before a single term in brackets");
             let instead = "a product needs none; declare what is a function";
             return Err(Fault::ambiguous(at, &found, instead));
@@ -113,6 +114,14 @@ impl<'a> Reader<'a> {
     fn letters_in_brackets(&self) -> usize {
         let is_letter = |ahead: &usize| self.look(*ahead).is_some_and(|token| token.kind == Kind::Letter);
         (1..).take_while(is_letter).count()
+    }
+
+    /// Returns true if `(-1)^n` stands next in a sheet: a product needs the brackets.
+    pub(super) fn power_of_negative_follows(&self) -> bool {
+        let kinds = [0, 1, 2, 3, 4].map(|ahead| self.look(ahead).map(|token| token.kind));
+        let (open, close) = (Kind::Open(Bracket::Round), Kind::Close(Bracket::Round));
+        let wanted = [open, Kind::Minus, Kind::Number, close, Kind::Sup].map(Some);
+        self.names.opaque.is_none() && kinds == wanted
     }
 
     /// Whether `(x)`, `(0)` or `(-2 t)` stands next.
@@ -150,7 +159,12 @@ impl<'a> Reader<'a> {
     fn bracketed_argument(&mut self) -> Result<Option<Box<Tree>>, Fault> {
         self.skip_empty();
         match self.peek_kind() {
-            Some(Kind::Open(kind)) if !matches!(kind, Bracket::Bar | Bracket::DoubleBar) => {
+            Some(Kind::Open(kind))
+                if !matches!(
+                    kind,
+                    Bracket::Bar | Bracket::DoubleBar | Bracket::Floor | Bracket::Ceiling
+                ) =>
+            {
                 self.argument_bracket(kind)?;
                 self.bracketed().map(Some)
             }

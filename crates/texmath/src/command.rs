@@ -114,7 +114,7 @@ const NO_TERMS: &str = "
     oplus ominus otimes odot wedge vee land lor lnot neg cap cup setminus bigcap bigcup bigoplus bigotimes bigwedge
     bigvee star bullet amalg uplus sqcup sqcap ltimes rtimes coprod bmod pmod mod forall exists nexists backslash
     sup inf max min argmax argmin limsup liminf iint iiint oint idotsint nabla Pr
-    langle rangle lfloor rfloor lceil rceil ulcorner urcorner lgroup rgroup middle over atop choose above hline
+    langle rangle ulcorner urcorner lgroup rgroup middle over atop choose above hline
     multicolumn limits substack sideset prescript intertext shortintertext
     emph textsc textsf texttt textnormal footnote footnotemark ref eqref cref Cref autoref cite citep citet href url
     item par noindent bf rm it sf tt cal index hspace vspace raisebox fbox mathchoice mathpalette newcommand
@@ -127,7 +127,7 @@ fn is_unknown(text: &str) -> bool {
     !name.is_empty()
         && name.bytes().all(|byte| byte.is_ascii_alphabetic())
         && matches!(command(text), Command::Unknown(""))
-        && ![FACTORIAL, DOUBLE_FACTORIAL, CONJUGATE].contains(&text)
+        && ![FACTORIAL, DOUBLE_FACTORIAL, CONJUGATE, FLOOR].contains(&text)
         && !NO_TERMS.split_whitespace().any(|known| known == name)
 }
 
@@ -156,6 +156,9 @@ pub(super) const ABSOLUTE: &str = "\\abs";
 /// The names of the factorials as functions.
 pub(super) const FACTORIAL: &str = "\\factorial";
 pub(super) const DOUBLE_FACTORIAL: &str = "\\doublefactorial";
+
+/// The name of the largest integer up to a number as a function.
+pub(super) const FLOOR: &str = "\\floor";
 
 /// The name of the conjugate as a function: a line over its argument.
 pub(super) const CONJUGATE: &str = "\\conjugate";
@@ -295,6 +298,10 @@ fn sign(text: &str) -> Option<Command> {
         "\\rVert" => Kind::Close(Bracket::DoubleBar),
         "\\{" | "\\lbrace" => Kind::Open(Bracket::Curly),
         "\\}" | "\\rbrace" => Kind::Close(Bracket::Curly),
+        "\\lfloor" => Kind::Open(Bracket::Floor),
+        "\\rfloor" => Kind::Close(Bracket::Floor),
+        "\\lceil" => Kind::Open(Bracket::Ceiling),
+        "\\rceil" => Kind::Close(Bracket::Ceiling),
         "\\lbrack" => Kind::Open(Bracket::Square),
         "\\rbrack" => Kind::Close(Bracket::Square),
         _ => return None,

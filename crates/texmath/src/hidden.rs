@@ -65,7 +65,7 @@ const PARTING: [&str; 20] = [
 const NO_VALUES: [&str; 4] = [r"\vdots", r"\ddots", r"\sim", "?"];
 
 /// Dots in the place of terms or factors.
-const DOTS: [&str; 7] = [r"\dots", r"\ldots", r"\cdots", r"\hdots", r"\dotsc", r"\dotsb", "…"];
+pub(super) const DOTS: [&str; 7] = [r"\dots", r"\ldots", r"\cdots", r"\hdots", r"\dotsc", r"\dotsb", "…"];
 
 /// Returns true if a text leaves terms or factors out by dots outside of brackets, of which nobody knows what they are.
 pub fn has_dots(text: &str) -> bool {

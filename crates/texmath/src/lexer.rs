@@ -4,6 +4,7 @@ use super::Names;
 use super::Relation;
 use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, shape, spelled};
 use super::error::{Fault, Reason};
+use super::hidden::DOTS;
 use super::nearest::nearest;
 use super::shorthand::{OPAQUE, Plain};
 use super::token::{Bracket, Kind, Rows, Set, Token};
@@ -230,9 +231,8 @@ impl<'a> Lexer<'a> {
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
             '$' => self.at += 1,
             '~' => return self.blank(WORD_SPACE, self.at + 1),
-            '.' if rest.starts_with("...") => {
-                return Err(Fault::unreadable(self.at, "...", ": write out what is meant"));
-            }
+            '.' if rest.starts_with("...") => return self.push(Kind::Dots, 3),
+            '…' | '⋯' => return self.push(Kind::Dots, c.len_utf8()),
             '&' => return self.push(Kind::Column, 1),
             '\\' => return self.command(),
             c if c.is_whitespace() => self.at += c.len_utf8(),
@@ -428,6 +428,7 @@ impl<'a> Lexer<'a> {
             Command::Text => self.text(end),
             Command::Begin => self.begin(end),
             Command::End => self.end(end),
+            Command::Unknown(_) if DOTS.contains(&text) => self.push(Kind::Dots, length + 1),
             Command::Unknown("") => {
                 let meant = nearest(text, COMMON).map(|meant| format!(", did you mean `{meant}`?"));
                 Err(Fault::unreadable(at, text, &meant.unwrap_or_default()))

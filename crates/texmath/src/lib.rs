@@ -48,6 +48,7 @@ mod conditions;
 mod declared;
 mod difference;
 mod display;
+mod dots;
 mod doubt;
 mod elementary;
 mod error;

@@ -1,6 +1,6 @@
 //! Tree -> presentation MathML, as a browser lays it out.
 
-use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL};
+use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL, FLOOR};
 use super::printer::{self, brackets, invariant, needs_dot, twice};
 use super::{Case, Condition, Equation, Name, Operation, Relation, Series, Tree};
 use crate::markup::{Element, Markup, element, empty, text_in};
@@ -459,6 +459,7 @@ impl Writer<'_> {
         let inner = || self.sum(argument);
         match function.base.as_str() {
             ABSOLUTE => fenced("|", inner(), "|"),
+            FLOOR => fenced("\u{230a}", inner(), "\u{230b}"),
             CONJUGATE => {
                 let line = text_in("mo", "\u{203e}").with("stretchy", "true");
                 over("mover", [inner(), vec![line.into()]])

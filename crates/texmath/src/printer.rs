@@ -1,7 +1,7 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
 use super::argument::may_scale;
-use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL};
+use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL, FLOOR};
 use super::elementary::Elementary;
 use super::nodes::any;
 use super::{Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
@@ -176,6 +176,9 @@ pub(super) fn factor(tree: &Tree) -> String {
         Tree::Symbol(name, _) => name.to_string(),
         Tree::Call(name, argument, _) if is_factorial(name) => factorial(name, argument),
         Tree::Call(name, argument, _) if is_absolute(name) => format!("\\left|{}\\right|", sum(argument)),
+        Tree::Call(name, argument, _) if name.base == FLOOR => {
+            format!("\\left\\lfloor {}\\right\\rfloor", sum(argument))
+        }
         Tree::Call(name, argument, _) if is_conjugate(name) => format!("\\overline{{{}}}", sum(argument)),
         Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
         Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
@@ -281,7 +284,9 @@ fn power(base: &Tree, exponent: i32) -> String {
     let before_argument = !exponent.starts_with("{-");
     match base {
         Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
-        Tree::Call(name, ..) if is_absolute(name) || is_conjugate(name) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) || is_conjugate(name) || name.base == FLOOR => {
+            format!("{}^{exponent}", factor(base))
+        }
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
@@ -303,7 +308,9 @@ fn real_power(base: &Tree, exponent: &Tree) -> String {
     let exponent = script(&text);
     match base {
         Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
-        Tree::Call(name, ..) if is_absolute(name) || is_conjugate(name) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) || is_conjugate(name) || name.base == FLOOR => {
+            format!("{}^{exponent}", factor(base))
+        }
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => format!("{name}^{exponent}"),
         base => format!("{}^{exponent}", bracketed(base)),
     }

@@ -90,6 +90,7 @@ impl<'a> Reader<'a> {
     /// The fault of finding the next token where `wanted` must stand.
     pub(super) fn instead_of(&self, wanted: &str) -> Fault {
         match self.peek() {
+            Some(token) if token.kind == Kind::Dots => dots_left_open(token),
             Some(token) => Fault::unexpected(token.at, token.text, wanted),
             None => Fault::unexpected(self.end, "the end", wanted),
         }
@@ -180,6 +181,11 @@ impl<'a> Reader<'a> {
         // braces around a whole term print the sum that stands there
         let mut terms = vec![*first.tree];
         while self.peek_kind().is_some_and(is_sign) {
+            if let Some(dots) = self.look(1).filter(|token| token.kind == Kind::Dots) {
+                self.next += 2;
+                terms = vec![self.terms_between(dots, &terms)?];
+                continue;
+            }
             let at = self.here();
             if let Some(letter) = derived.take() {
                 if reaching.last() != Some(&(terms.len() - 1)) {
@@ -203,6 +209,10 @@ impl<'a> Reader<'a> {
             terms.push(*self.beside(term)?);
             self.skip_empty();
         }
+        if let [tree] = terms.as_mut_slice() {
+            let tree = Box::new(std::mem::replace(tree, Tree::Sum(Vec::new())));
+            return Ok(Part { tree, form: Form::Open });
+        }
         if let Some((at, letter)) = doubt {
             let readings = readings_of_reach(&terms, &reaching);
             self.doubt(at, DoubtKind::Reach { letter, readings });
@@ -214,7 +224,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A term with the sign before it, if any.
-    fn signed_term(&mut self) -> Result<Part, Fault> {
+    pub(super) fn signed_term(&mut self) -> Result<Part, Fault> {
         self.skip_empty();
         let Some(kind) = self.peek_kind().filter(|kind| is_sign(*kind)) else {
             return self.term();
@@ -248,7 +258,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The tree of `part`, if something may stand beside it.
-    fn beside(&self, part: Part) -> Result<Box<Tree>, Fault> {
+    pub(super) fn beside(&self, part: Part) -> Result<Box<Tree>, Fault> {
         match part.form {
             Form::Braced => {
                 let instead = "TeX braces do not print; write ( ) around it";
@@ -263,7 +273,7 @@ impl<'a> Reader<'a> {
         let first = self.factor()?;
         self.skip_empty();
         match self.peek_kind() {
-            Some(kind) if is_operation(kind) || starts_factor(kind) => self.more_factors(first),
+            Some(kind) if is_operation(kind) || kind == Kind::Dots || starts_factor(kind) => self.more_factors(first),
             _ => Ok(first),
         }
     }
@@ -279,6 +289,15 @@ impl<'a> Reader<'a> {
             if self.is_past_differential(factors.last()) {
                 break;
             }
+            if let Some(dots) = self.dots_of_factors() {
+                if divided {
+                    return Err(dots_left_open(dots));
+                }
+                factors = vec![self.factors_between(dots, &factors)?];
+                (form, extents) = (Form::Knot, Extents::default());
+                self.skip_empty();
+                continue;
+            }
             if !juxtaposed {
                 if !is_operation(token.kind) {
                     break;
@@ -287,6 +306,7 @@ impl<'a> Reader<'a> {
                 self.no_sign(token.text)?;
             }
             let printed = self.first_printed();
+            let is_power_of_negative = self.power_of_negative_follows();
             let factor = self.factor()?;
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
@@ -307,7 +327,9 @@ impl<'a> Reader<'a> {
                 if token.kind != Kind::Open(Bracket::Curly) {
                     self.no_operator(factors.last(), &factor.tree, token.at)?;
                 }
-                self.doubt_bracket(factors.last(), &factor.tree, token.at);
+                if !is_power_of_negative {
+                    self.doubt_bracket(factors.last(), &factor.tree, token.at);
+                }
             }
             let number = factors.len().saturating_sub(1);
             if token.kind != Kind::Slash {
@@ -456,6 +478,11 @@ fn two_quotients(above: Box<Tree>, below: Vec<Tree>, at: usize) -> Fault {
     let inside = quotient(Box::new(Tree::Product(below)));
     let found = "a factor right after a divisor";
     Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
+}
+
+/// The fault of dots of which it is not clear what they stand for.
+pub(super) fn dots_left_open(dots: Token<'_>) -> Fault {
+    Fault::unreadable(dots.at, dots.text, ": write out what is meant")
 }
 
 /// The letter of the sum, product or limit that a term ends in without brackets.

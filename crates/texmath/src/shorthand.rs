@@ -419,6 +419,19 @@ impl<'a> Writer<'a, '_> {
         None
     }
 
+    /// Returns true if `\over` stands in a group between braces, with a sign of a derivative in front, which is not raised or lowered.
+    fn is_derivative(&self, open: usize, close: usize) -> bool {
+        let inside = self.slice(open + 1, close).trim_start();
+        let behind = inside.strip_prefix('d').or_else(|| inside.strip_prefix(r"\partial"));
+        let is_sign = behind.is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_alphabetic()));
+        let is_script = self.slice(0, open).trim_end().ends_with(['_', '^']);
+        is_sign
+            && !is_script
+            && self
+                .infix(open + 1, close)
+                .is_some_and(|(.., command)| command == r"\frac")
+    }
+
     fn run(&mut self, start: usize, end: usize, depth: usize) {
         let mut at = start;
         while at < end {
@@ -468,6 +481,11 @@ impl<'a> Writer<'a, '_> {
                     let is_script = self.slice(0, at).trim_end().ends_with(['_', '^']);
                     let shown = format!(r"\mathrm{{{word}}}");
                     self.write(&if is_script { format!("{{{shown}}}") } else { shown }, at);
+                    close + 1
+                }
+                // {d \over dx} stands before what it is of
+                Some(close) if self.is_derivative(at, close) => {
+                    self.group(at + 1, close, depth + 1);
                     close + 1
                 }
                 Some(close) => {
@@ -1389,6 +1407,7 @@ mod tests {
             (r"\nicefrac12 + \sfrac{a}{b}", r"\frac{1}{2} + \frac{a}{b}"),
             (r"{\color{red} a} + \textcolor{blue}{b}", r"{ a} + {b}"),
             (r"{a + b \over 2}", r"{\frac{a + b }{ 2}}"),
+            (r"{d \over dx} x^{d \over 2}", r"\frac{d }{ dx} x^{\frac{d }{ 2}}"),
             (r"{n \choose {a \over b}}", r"{\binom{n }{ {\frac{a }{ b}}}}"),
             (r"a \stackrel{(3)}{=} b", "a = b"),
             (r"a \overset{!}{\le} b", r"a \le b"),

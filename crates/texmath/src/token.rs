@@ -12,6 +12,10 @@ pub(super) enum Bracket {
     Bar,
     /// The double bars of a norm.
     DoubleBar,
+    /// `\lfloor`, around what is rounded down.
+    Floor,
+    /// `\lceil`, around what is rounded up.
+    Ceiling,
     /// `\begin{pmatrix}` and its like: rows and columns.
     Rows(Rows),
 }
@@ -90,6 +94,8 @@ pub(super) enum Kind {
     Binomial,
     Comma,
     Stop,
+    /// Dots in the place of terms or factors.
+    Dots,
     /// `&`, which prints nothing.
     Column,
     Row,

@@ -487,7 +487,8 @@ impl Splitter<'_> {
     }
 
     /// |u| |v| is no less than the real part of u times the conjugate of v, nor than its opposite, for the moduli that an
-    /// inequality speaks of: what triangle inequalities rest on.
+    /// inequality speaks of: what triangle inequalities rest on. Where it speaks of a real or an imaginary part, this holds of both
+    /// parts of that product and of u v.
     fn cauchy_schwarz(&mut self, equation: &Equation) -> Result<Vec<Premise>, String> {
         let symbols = self.symbols;
         let mut met: Vec<Tree> = Vec::new();
@@ -506,12 +507,20 @@ impl Splitter<'_> {
         if !is_order || !(2..=MOST_MODULI).contains(&met.len()) {
             return Ok(Vec::new());
         }
+        let is_component =
+            |node: &Tree| matches!(node, Tree::Call(name, ..) if [r"\Re", r"\Im"].contains(&name.base.as_str()));
+        let has_component = any_side(equation, &mut |node| is_component(node));
         let mut facts = Vec::new();
         for (place, one) in met.iter().enumerate() {
             for other in met.iter().skip(place + 1) {
                 let moduli = product(vec![self.modulus(one)?, self.modulus(other)?]);
-                let Pair { re, .. } = self.pair(one)?.times(self.pair(other)?.conjugate());
-                for bound in [re.clone(), negative(re)] {
+                let crossed = self.pair(one)?.times(self.pair(other)?.conjugate());
+                let mut bounds = vec![crossed.re.clone()];
+                if has_component {
+                    let plain = self.pair(one)?.times(self.pair(other)?);
+                    bounds.extend([crossed.im, plain.re, plain.im]);
+                }
+                for bound in bounds.into_iter().flat_map(|bound| [bound.clone(), negative(bound)]) {
                     let equation = Equation {
                         relation: Relation::GreaterOrEqual,
                         ..Equation::between(moduli.clone(), bound)

@@ -23,7 +23,12 @@ pub(super) fn stands_in(tree: &Tree) -> bool {
 
 /// Whether a node is a factorial.
 pub(super) fn is_one(node: &Tree) -> bool {
-    matches!(node, Tree::Call(name, ..) if [FACTORIAL, DOUBLE_FACTORIAL].contains(&name.base.as_str()))
+    matches!(node, Tree::Call(name, ..) if is_of(name))
+}
+
+/// Returns true if a function is a factorial, simple or double.
+pub(super) fn is_of(function: &Name) -> bool {
+    [FACTORIAL, DOUBLE_FACTORIAL].contains(&function.base.as_str())
 }
 
 /// The factorial of a number, simple or double; `None` where the argument is no number.
@@ -158,6 +163,26 @@ fn simple(tree: &Tree) -> Tree {
         Some(match up {
             0 => even,
             _ => quotient(of(tree_of(&(letters, constant + 1))), even),
+        })
+    })
+}
+
+/// The tree with double factorials as simple ones, and with these of letters times integers alone: (n + 2)! = n! (n + 1) (n + 2)
+/// where n! has a value.
+pub(super) fn by_letters(tree: &Tree) -> Tree {
+    mapped(&simple(tree), &|node| {
+        let Tree::Call(name, argument, _) = node else {
+            return None;
+        };
+        let (letters, constant) = linear(argument).filter(|_| name.base == FACTORIAL)?;
+        if letters.is_empty() || constant == 0 || constant.abs() > MOST_FACTORS {
+            return None;
+        }
+        let at = |more: i64| tree_of(&(letters.clone(), more));
+        let alone = call(FACTORIAL, at(0));
+        Some(match constant {
+            1.. => product(std::iter::once(alone).chain((1..=constant).map(at)).collect()),
+            _ => quotient(alone, product((constant + 1..=0).map(at).collect())),
         })
     })
 }

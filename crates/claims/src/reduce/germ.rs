@@ -69,6 +69,8 @@ pub(super) struct Germs<'a> {
     pub names: Vec<Name>,
     /// True if the letter takes integers alone.
     pub is_integer: bool,
+    /// Letters of which no sign is known.
+    pub unsigned: Vec<Name>,
     /// Numbers for all other letters.
     pub point: BTreeMap<Name, f64>,
     /// The number of terms of a series.

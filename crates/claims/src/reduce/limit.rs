@@ -8,7 +8,7 @@ use super::germ::{End, Germs, SHORT, Wave};
 use super::prepared::with_factorials;
 use super::series::{add, point_of, relation};
 use super::unbounded::{falsehood, has_value, of_infinity};
-use super::{Goal, Rule, fresh, fresh_like, integers, is_spoken_of, rewritten, trees};
+use super::{Goal, Rule, factorial, fresh, fresh_like, integers, is_spoken_of, rewritten, trees};
 use std::collections::{BTreeSet, HashMap};
 use texmath::{
     Condition, Equation, Name, Operation, Relation, Symbols, Tree, any, holds, mapped, names_in, number_of, rewrite,
@@ -38,6 +38,9 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
             break;
         };
         let found = of_limit(&out, symbols, of, by, to, &[])?;
+        if any(of, &mut |node| is_of_factorials(node)) {
+            out = out.by(Rule::FactorialStirling);
+        }
         out.claims.extend(
             found
                 .written
@@ -75,6 +78,12 @@ pub(super) fn evaluated(statements: &Statements, symbols: &Symbols) -> Result<(S
     }
     out.claims = claims;
     Ok((out, lemmas))
+}
+
+fn is_of_factorials(node: &Tree) -> bool {
+    let is_binomial =
+        |node: &Tree| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Binomial(..)));
+    factorial::is_one(node) || is_binomial(node)
 }
 
 /// Returns the statements with a limit that is no number: infinity where it is one side of an equation. No equation of numbers holds
@@ -377,6 +386,14 @@ impl<'a> Approach<'a> {
         });
         let domain = self.domain(&[]);
         let conditions: Vec<&Equation> = conditions.chain(&domain).chain(self.likely).collect();
+        let is_said = |name: &Name| {
+            let is_in = |own: &&Equation| own.left.has_free(name) || own.right.has_free(name);
+            spoken(name) || conditions.iter().any(is_in)
+        };
+        let is_unsigned = |name: &Name| {
+            self.symbols.is_parameter(name) && !self.symbols.is_positive(name) && !self.symbols.is_nonnegative(name)
+        };
+        let unsigned = names.iter().filter(|name| is_unsigned(name) && !is_said(name));
         Germs {
             symbols: &self.symbols,
             given: functions.filter(|name| spoken(name)).cloned().collect(),
@@ -384,6 +401,7 @@ impl<'a> Approach<'a> {
             by: self.by.clone(),
             names: self.waves.clone(),
             is_integer: self.is_integer(),
+            unsigned: unsigned.cloned().collect(),
             point: point_of(&names.into_iter().collect::<Vec<Name>>(), &conditions, &self.symbols),
             length,
             needed: Vec::new(),
@@ -501,7 +519,7 @@ impl<'a> Approach<'a> {
 const MOST_WAVES: usize = 4;
 
 /// Returns a name in a tree that carries a letter as an index.
-fn carried(of: &Tree, by: &Name) -> Option<Name> {
+pub(super) fn carried(of: &Tree, by: &Name) -> Option<Name> {
     let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
     let mut found = None;
     any(of, &mut |node| {

@@ -17,6 +17,7 @@ mod endless;
 mod evaluate;
 mod factorial;
 mod finite;
+mod floor;
 mod gaussian;
 mod germ;
 mod induction;
@@ -35,6 +36,7 @@ mod prepared;
 mod ranges;
 mod recurrence;
 mod relations;
+mod riemann;
 mod roots;
 mod rule;
 mod running;
@@ -190,7 +192,7 @@ fn has_operation(tree: &Tree, symbols: &Symbols) -> bool {
     any(tree, &mut |node| match node {
         Tree::Operation(..) => true,
         Tree::RealPower(_, exponent, _) => symbols.transposes(exponent),
-        node => factorial::is_one(node) || cases::is_sign(node),
+        node => factorial::is_one(node) || cases::is_sign(node) || floor::is_one(node),
     })
 }
 
@@ -256,6 +258,14 @@ fn without_operations(
         reduced.lemmas.extend(lemmas);
         return Ok(Some(reduced));
     }
+    if let Some((rest, extended, lemmas)) = floor::as_integers(&written, symbols)? {
+        let mut reduced = match without_operations(&rest, &extended, proposals)? {
+            Some(reduced) => reduced,
+            None => Reduced::itself(Goal::of(&rest, &extended, String::new())),
+        };
+        reduced.lemmas.extend(lemmas);
+        return Ok(Some(reduced));
+    }
     if let Some(summed) = infinite::summed(&written, symbols, proposals)? {
         let symbols = &summed.symbols;
         let mut reduced = match without_operations(&summed.statements, symbols, proposals)? {
@@ -304,6 +314,10 @@ fn without_operations(
     let differentiated;
     (statements, differentiated) = leibniz::differentiated(&statements, symbols)?;
     lemmas.extend(differentiated);
+    if let Some((integrals, needed)) = riemann::integrated(&statements, symbols) {
+        statements = integrals;
+        lemmas.extend(needed);
+    }
     if limit::stands_in(&statements) {
         let needed;
         (statements, needed) = limit::evaluated(&statements, symbols)?;

@@ -29,7 +29,7 @@ impl Germs<'_> {
             Tree::Symbol(..) => Ok(tree.clone()),
             Tree::Negate(inner) => Ok(negative(self.prepared(inner)?)),
             Tree::Sum(parts) => Ok(sum(self.all(parts)?)),
-            Tree::Product(parts) => Ok(product(self.all(parts)?)),
+            Tree::Product(parts) => Ok(with_one_exponential(product(self.all(parts)?), None)),
             Tree::Quotient(above, below, _) if !self.moves(below) => {
                 let factor = quotient(integer(1), (**below).clone());
                 self.write(&factor);
@@ -38,7 +38,7 @@ impl Germs<'_> {
             Tree::Quotient(above, below, _) => {
                 let (above, below) = (self.prepared(above)?, self.prepared(below)?);
                 self.nonzero(&below)?;
-                Ok(quotient(above, below))
+                Ok(with_one_exponential(above, Some(below)))
             }
             Tree::Power(base, exponent, _) => {
                 let base = self.prepared(base)?;
@@ -85,8 +85,7 @@ impl Germs<'_> {
     fn prepared_power(&mut self, base: &Tree, exponent: &Tree) -> Found {
         let euler = plain("e");
         let is_euler = matches!(base, Tree::Symbol(name, _) if *name == euler) && !self.symbols.declares(&euler);
-        let at_integers = rewrite(exponent, &|name| (*name == self.letter).then(|| symbol(&self.by)));
-        let is_whole = factorial::is_integer(&at_integers, self.symbols);
+        let is_whole = factorial::is_integer(&self.at_integers(exponent), self.symbols);
         if !self.moves(exponent) {
             let (base, exponent) = (self.prepared(base)?, self.prepared(exponent)?);
             match is_whole {
@@ -105,6 +104,12 @@ impl Germs<'_> {
             return Ok(base);
         }
         let grown = |base: Tree| call("\\exp", product(vec![exponent.clone(), call("\\ln", base)]));
+        // |a^n| is at most (1 + |a|)^n
+        let is_unsigned = matches!(&base, Tree::Symbol(name, _) if self.unsigned.contains(name));
+        if is_unsigned && is_whole && matches!(self.limit(&exponent)?, End::Infinite(true)) {
+            let share = self.wave(real_power(base.clone(), exponent.clone()), None)?;
+            return Ok(product(vec![share, grown(sum(vec![integer(1), call("\\abs", base)]))]));
+        }
         if self.sign(&base)? {
             return Ok(grown(base));
         }
@@ -154,6 +159,9 @@ impl Germs<'_> {
     fn prepared_call(&mut self, name: &Name, argument: &Tree) -> Found {
         if self.symbols.is_function(name) {
             return self.prepared_unknown(name, argument);
+        }
+        if factorial::is_of(name) {
+            return self.prepared_factorial(name, argument);
         }
         let function = Elementary::named(name).ok_or_else(|| format!("the series of `{name}`"))?;
         if let Some((above, below)) = function.quotient() {
@@ -210,6 +218,38 @@ impl Germs<'_> {
         }
     }
 
+    /// Prepares the factorial of an integer that grows, by Stirling's formula with the bounds of Robbins (A remark on Stirling's formula,
+    /// American Mathematical Monthly 62, 1955, p. 26): `m! = \sqrt{2 \pi m} m^m e^{-m} e^r` with `1/(12 m + 1) < r < 1/(12 m)` for m from
+    /// 1 on, so that `r = 1/(12 m) - s/(12 m)^2` with s between 0 and 1.
+    fn prepared_factorial(&mut self, name: &Name, argument: &Tree) -> Found {
+        let own = call(&name.base, argument.clone());
+        let by_letters = factorial::by_letters(&own);
+        if by_letters != own {
+            return self.prepared(&by_letters);
+        }
+        if name.base != factorial::FACTORIAL || !factorial::is_integer(&self.at_integers(argument), self.symbols) {
+            return Err(format!("the factorial of `{argument}`"));
+        }
+        let m = self.prepared(argument)?;
+        if self.limit(&m)? != End::Infinite(true) {
+            return Err(format!("the factorial of `{argument}`, which does not grow"));
+        }
+        let share = self.wave(own, None)?;
+        let exponent = sum(vec![
+            product(vec![m.clone(), call("\\ln", m.clone())]),
+            negative(m.clone()),
+            quotient(integer(1), product(vec![integer(12), m.clone()])),
+            negative(quotient(share, product(vec![integer(144), power(m.clone(), 2)]))),
+        ]);
+        let circle = product(vec![integer(2), symbol(&plain("\\pi")), m]);
+        Ok(product(vec![real_power(circle, ratio(1, 2)), call("\\exp", exponent)]))
+    }
+
+    /// Returns the tree with the letter that takes integers in place of the one that grows.
+    fn at_integers(&self, tree: &Tree) -> Tree {
+        rewrite(tree, &|name| (*name == self.letter).then(|| symbol(&self.by)))
+    }
+
     /// Prepares a function by its formula in simpler ones.
     fn defined(&mut self, function: &Elementary, argument: &Tree) -> Found {
         let formula = function.definition(argument).ok_or("a function without a formula")?;
@@ -252,6 +292,7 @@ impl Germs<'_> {
                 let terms: Vec<Tree> = terms.collect();
                 Ok(sum(self.all(&terms)?))
             }
+            Operation::Binomial(of, chosen) => self.prepared(&with_factorials(&factorial::binomial(of, chosen)?)),
             _ => Err("an operation within a limit".to_owned()),
         }
     }
@@ -269,6 +310,39 @@ impl Germs<'_> {
         }
         let parts = vec![self.prepared(end)?, slope];
         Ok(Tree::Operation(Box::new(Operation::Arguments(parts)), At::default()))
+    }
+}
+
+/// Returns a product, or a quotient by another, with its exponential functions as one.
+fn with_one_exponential(above: Tree, below: Option<Tree>) -> Tree {
+    let (mut factors, mut divisors, mut exponents) = (Vec::new(), Vec::new(), Vec::new());
+    part_exponentials(&above, &mut factors, &mut exponents);
+    let known = exponents.len();
+    below
+        .iter()
+        .for_each(|below| part_exponentials(below, &mut divisors, &mut exponents));
+    if exponents.len() < 2 {
+        return match below {
+            Some(below) => quotient(above, below),
+            None => above,
+        };
+    }
+    let signed = exponents.into_iter().enumerate();
+    let signed = signed.map(|(place, own)| if place < known { own } else { negative(own) });
+    factors.push(call("\\exp", sum(signed.collect())));
+    match divisors.is_empty() {
+        true => product(factors),
+        false => quotient(product(factors), product(divisors)),
+    }
+}
+
+fn part_exponentials(tree: &Tree, factors: &mut Vec<Tree>, exponents: &mut Vec<Tree>) {
+    match tree {
+        Tree::Product(parts) => parts
+            .iter()
+            .for_each(|part| part_exponentials(part, factors, exponents)),
+        Tree::Call(name, exponent, _) if name.base == "\\exp" => exponents.push((**exponent).clone()),
+        other => factors.push(other.clone()),
     }
 }
 

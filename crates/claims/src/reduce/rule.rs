@@ -72,6 +72,12 @@ pub enum Rule {
     BinomialFactorials,
     /// Factorials of numbers by their values, of letters by n! = n (n - 1)!.
     FactorialRecurrence,
+    /// Factorials of what grows by Stirling's formula with the bounds of Robbins.
+    FactorialStirling,
+    /// The limit of a sum as an integral.
+    RiemannSum,
+    /// The largest integer up to a number is an integer m with m <= x < m + 1.
+    FloorInteger,
     /// One goal for each case.
     CasesSplit,
     /// One goal for each sign of what stands between bars.
@@ -161,6 +167,9 @@ impl fmt::Display for Rule {
             Self::MatrixEntries => "matrix: entries",
             Self::BinomialFactorials => "binomial: factorials",
             Self::FactorialRecurrence => "factorial: recurrence",
+            Self::FactorialStirling => "factorial: Stirling",
+            Self::RiemannSum => "sum: Riemann integral",
+            Self::FloorInteger => "floor: integer",
             Self::CasesSplit => "cases: split",
             Self::ModulusCases => "modulus: cases",
             Self::ModulusBounds => "modulus: bounds",
