@@ -1,9 +1,21 @@
 //! Bound letters under names of their own, so that what is said of a free letter of the same name is not taken to be said of them.
+//!
+//! The letter of a limit keeps what is said of it where it can tend to its point so: in `\lim_{x \to 0} \sqrt{x}` an x that is
+//! positive tends to 0 from above.
 
 use super::super::premise::Statements;
+use super::build::infinity;
+use super::instances::relation_holds;
 use super::{Rule, fresh_like, rewritten, stands_in_symbols, trees};
+use numbers::{Field, Rational};
 use std::cell::RefCell;
-use texmath::{Meaning, Name, Operation, Symbols, Tree, any, mapped, rewrite};
+use texmath::{
+    Condition, Equation, Meaning, Name, Operation, Relation, Symbols, Tree, any, mapped, number_of, rewrite,
+    rewrite_equation,
+};
+
+/// How near to its point, as 1/FAR, or how far out what is said of the letter of a limit is looked at.
+const FAR: i64 = 1_000_000;
 
 /// Returns the statements with each bound letter renamed of which something is declared, assumed or written elsewhere, and the
 /// symbols with the new names. A letter that is an integer stays one.
@@ -20,7 +32,8 @@ pub(super) fn apart(statements: &Statements, symbols: &Symbols) -> (Statements, 
     };
     let out = rewritten(statements, Rule::Definitions, &|tree| {
         renamed(tree, &|operation| {
-            let letter = binds(operation).filter(|letter| is_said(letter))?;
+            let letter =
+                binds(operation).filter(|letter| is_said(letter) && !tends_as_said(operation, statements, symbols))?;
             let own = is_named_alone(operation, letter, symbols).then(|| {
                 let mut known = known.borrow_mut();
                 let own = fresh_like(statements, &known, letter.clone());
@@ -43,6 +56,57 @@ fn binds(operation: &Operation) -> Option<&Name> {
         Operation::Integral { by, limits, .. } => limits.as_ref().map(|_| by),
         operation => operation.letter(),
     }
+}
+
+/// Returns true for a limit that is approached, from one side at least, where all holds that is declared or assumed of its letter,
+/// which is something.
+fn tends_as_said(operation: &Operation, statements: &Statements, symbols: &Symbols) -> bool {
+    let Operation::Limit { by, to, .. } = operation else {
+        return false;
+    };
+    let (to, sides): (&Tree, &[i64]) = match to {
+        Tree::Operation(inner, _) => match &**inner {
+            Operation::OneSided(to, is_above) => (to, if *is_above { &[1] } else { &[-1] }),
+            _ => (to, &[1]),
+        },
+        to => (to, &[1, -1]),
+    };
+    let near = |side: i64| match (infinity(to), number_of(to)) {
+        (Some(is_above), _) => Some(Rational::from_integer(if is_above { FAR } else { -FAR })),
+        (None, Some(to)) => Some(to + Rational::new(side, FAR)?),
+        _ => None,
+    };
+    let about: Vec<&Condition> = statements
+        .assume
+        .iter()
+        .filter(|own| own.sides().into_iter().any(|side| side.has_free(by)))
+        .collect();
+    let is_to_point = |own: &Equation| {
+        let letter = super::build::symbol(by);
+        [(&own.left, &own.right), (&own.right, &own.left)].contains(&(&letter, to))
+    };
+    let holds = |condition: &Condition, at: Option<&Rational>| match condition {
+        Condition::Relation(own) if is_to_point(own) => own.relation != Relation::Equal,
+        Condition::Relation(own) => at.is_some_and(|at| {
+            let there = rewrite_equation(own, &|name| (name == by).then(|| Tree::Number(at.clone())));
+            relation_holds(&there) == Some(true)
+        }),
+        Condition::Integer(_) => true,
+    };
+    let (zero, one) = (Rational::from_integer(0), Rational::from_integer(1));
+    let is_declared = |at: Option<&Rational>| {
+        let is_limited = symbols.is_positive(by) || symbols.is_nonnegative(by);
+        at.map_or(!is_limited, |at| {
+            (*at > zero || !is_limited) && (*at <= one || !symbols.is_at_most_one(by))
+        })
+    };
+    let is_any =
+        !about.is_empty() || symbols.is_positive(by) || symbols.is_nonnegative(by) || symbols.is_at_most_one(by);
+    is_any
+        && sides.iter().any(|side| {
+            let at = near(*side);
+            is_declared(at.as_ref()) && about.iter().all(|own| holds(own, at.as_ref()))
+        })
 }
 
 /// Returns true if a letter stands nowhere in an operation but under its own name: as no index of others, and as no argument

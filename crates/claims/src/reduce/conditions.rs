@@ -109,7 +109,11 @@ fn keep_from_zero(goal: &mut Goal, met: &mut Vec<(Equation, Vec<Goal>)>) -> Opti
     let found = new_conditions(goal)?;
     let vanishing = where_bases_vanish(goal, &found)?;
     for (place, condition) in found.into_iter().enumerate() {
-        let own = vanishing.iter().filter(|(case, _)| case >> place & 1 == 1);
+        // x^n has a value at x = 0 and n = 0 too, which these goals do not speak of
+        let is_of_reals = condition.relation != Relation::NotEqual;
+        let own = vanishing
+            .iter()
+            .filter(|(case, _)| is_of_reals && case >> place & 1 == 1);
         met.push((condition.clone(), own.map(|(_, goal)| goal.clone()).collect()));
         goal.statements.rules.insert(match condition.relation {
             Relation::NotEqual => Rule::NonzeroBases,
