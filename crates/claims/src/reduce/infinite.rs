@@ -53,8 +53,8 @@ struct Value {
 
 enum Amount {
     /// A number, or infinity.
-    Is(Tree),
-    Between([Tree; 2]),
+    Is(Box<Tree>),
+    Between(Box<[Tree; 2]>),
 }
 
 /// The region in which a sum to infinity converges.
@@ -176,8 +176,9 @@ impl Values {
                 own.regions.push((node.clone(), value.region));
             }
             let tree = match value.amount {
-                Amount::Is(tree) => tree,
-                Amount::Between([low, high]) => {
+                Amount::Is(tree) => *tree,
+                Amount::Between(bounds) => {
+                    let [low, high] = *bounds;
                     let name = fresh(statements, &own.symbols, "s");
                     own.symbols.let_be_parameter(&name, false);
                     own.letters.push(name.clone());
@@ -365,7 +366,7 @@ impl Endless {
             lemmas.extend(value.lemmas);
             lemmas.extend(self.lemmas_of(value.known));
             match value.amount {
-                Amount::Is(tree) if infinity(&tree).is_none() => inner.push((node, tree)),
+                Amount::Is(tree) if infinity(&tree).is_none() => inner.push((node, *tree)),
                 _ => return Err("a sum to infinity of sums that have no closed form".to_owned()),
             }
         }
@@ -397,13 +398,13 @@ impl Endless {
             let mut lemmas = Vec::new();
             self.at_each_index(defined::conditions(&self.of, &self.symbols)?, &mut lemmas)?;
             let (value, region) = self.by(proposal, &mut lemmas)?;
-            Ok((lemmas, Amount::Is(value), region))
+            Ok((lemmas, Amount::Is(Box::new(value)), region))
         };
         let by_test = || {
             let mut lemmas = Vec::new();
             let amount = match tested(self, proposals, &mut lemmas)? {
                 Tested::Between(bounds) => Amount::Between(bounds),
-                Tested::Infinite(is_above) => Amount::Is(infinite(is_above)),
+                Tested::Infinite(is_above) => Amount::Is(Box::new(infinite(is_above))),
             };
             for lemma in &mut lemmas {
                 lemma.statements.rules.insert(Rule::SeriesTest);

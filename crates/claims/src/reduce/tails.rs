@@ -69,7 +69,7 @@ impl SeriesTest {
 
 /// The sum of all terms.
 pub(super) enum Tested {
-    Between([Tree; 2]),
+    Between(Box<[Tree; 2]>),
     /// Infinite, and true if it is that above all numbers.
     Infinite(bool),
 }
@@ -123,7 +123,7 @@ pub(super) fn tested(sum: &Endless, proposals: &dyn Proposals, lemmas: &mut Vec<
     let whole = |rest: Tree| super::build::sum(before.iter().cloned().chain([rest]).collect());
     own.of_numbers(related(below.clone(), Relation::LessOrEqual, whole(low)), lemmas)?;
     own.of_numbers(related(whole(high), Relation::LessOrEqual, above.clone()), lemmas)?;
-    Ok(Tested::Between(bounds))
+    Ok(Tested::Between(Box::new(bounds)))
 }
 
 /// The terms of a sum from an index on.
