@@ -53,8 +53,8 @@ struct Value {
 
 enum Amount {
     /// A number, or infinity.
-    Is(Tree),
-    Between([Tree; 2]),
+    Is(Box<Tree>),
+    Between(Box<[Tree; 2]>),
 }
 
 /// The region in which a sum to infinity converges.
@@ -142,6 +142,60 @@ fn replaced(tree: &Tree, values: &[(Tree, Tree)]) -> Tree {
     })
 }
 
+/// The values of the sums to infinity in statements.
+struct Values {
+    values: Vec<(Tree, Tree)>,
+    lemmas: Vec<Goal>,
+    known: Vec<Equation>,
+    regions: Vec<(Tree, Region)>,
+    /// The symbols with letters, from 0 to 1, for the places of sums between their bounds.
+    symbols: Symbols,
+    letters: Vec<Name>,
+}
+
+impl Values {
+    fn of(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Result<Self, String> {
+        let mut own = Self {
+            values: Vec::new(),
+            lemmas: Vec::new(),
+            known: Vec::new(),
+            regions: Vec::new(),
+            symbols: symbols.clone(),
+            letters: Vec::new(),
+        };
+        let mut all = Vec::new();
+        for tree in trees(statements) {
+            outermost(tree, &mut all)?;
+        }
+        let plain = without_sums(statements);
+        let may_be_infinite = statements.claims.iter().any(is_infinite);
+        for node in all {
+            let value = Endless::read(&node, &plain, symbols)?.value(proposals, may_be_infinite)?;
+            own.lemmas.extend(value.lemmas);
+            own.known.extend(value.known);
+            if !value.region.conditions.is_empty() {
+                own.regions.push((node.clone(), value.region));
+            }
+            let tree = match value.amount {
+                Amount::Is(tree) => *tree,
+                Amount::Between(bounds) => {
+                    let [low, high] = *bounds;
+                    let name = fresh(statements, &own.symbols, "s");
+                    own.symbols.let_be_parameter(&name, false);
+                    own.letters.push(name.clone());
+                    sum(vec![low.clone(), product(vec![symbol(&name), difference(high, low)])])
+                }
+            };
+            own.values.push((node, tree));
+        }
+        let is_claimed = trees(&plain).len() == trees(statements).len();
+        if !own.letters.is_empty() && (statements.is_way || !own.regions.is_empty() || !is_claimed) {
+            return Err("bounds of a sum in a condition, or beside one that converges under conditions".to_owned());
+        }
+        Ok(own)
+    }
+}
+
 /// The statements with each sum to infinity replaced by its value; None where there is none.
 ///
 /// # Errors
@@ -156,38 +210,14 @@ pub(super) fn summed(
     if !trees(statements).into_iter().any(stands_in) {
         return Ok(None);
     }
-    let mut all = Vec::new();
-    for tree in trees(statements) {
-        outermost(tree, &mut all)?;
-    }
-    let (mut values, mut lemmas, mut known) = (Vec::new(), Vec::new(), Vec::new());
-    let mut regions: Vec<(Tree, Region)> = Vec::new();
-    let (mut extended, mut bounds) = (symbols.clone(), Vec::new());
-    let plain = without_sums(statements);
-    let may_be_infinite = statements.claims.iter().any(is_infinite);
-    for node in all {
-        let value = Endless::read(&node, &plain, symbols)?.value(proposals, may_be_infinite)?;
-        lemmas.extend(value.lemmas);
-        known.extend(value.known);
-        if !value.region.conditions.is_empty() {
-            regions.push((node.clone(), value.region));
-        }
-        let tree = match value.amount {
-            Amount::Is(tree) => tree,
-            Amount::Between(own) => {
-                let name = fresh(statements, &extended, "s");
-                extended.let_be_parameter(&name, false);
-                bounds.push(name.clone());
-                let [low, high] = own;
-                sum(vec![low.clone(), product(vec![symbol(&name), difference(high, low)])])
-            }
-        };
-        values.push((node, tree));
-    }
-    let is_claimed = trees(&plain).len() == trees(statements).len();
-    if !bounds.is_empty() && (statements.is_way || !regions.is_empty() || !is_claimed) {
-        return Err("bounds of a sum in a condition, or beside one that converges under conditions".to_owned());
-    }
+    let Values {
+        values,
+        mut lemmas,
+        mut known,
+        regions,
+        symbols: extended,
+        letters,
+    } = Values::of(statements, symbols, proposals)?;
     // a way of an equivalence is to be shown to have a value
     if statements.is_way {
         known.clear();
@@ -223,8 +253,8 @@ pub(super) fn summed(
     for lemma in &mut lemmas {
         assume(&mut lemma.statements, &known);
     }
-    let (statements, refuting) = within_bounds(with(&values)?, &bounds, &extended);
-    let is_bounded = !bounds.is_empty() && refuting.is_none();
+    let (statements, refuting) = within_bounds(with(&values)?, &letters, &extended);
+    let is_bounded = !letters.is_empty() && refuting.is_none();
     lemmas.extend(refuting);
     Ok(Some(Summed {
         statements,
@@ -337,7 +367,7 @@ impl Endless {
             lemmas.extend(value.lemmas);
             lemmas.extend(self.lemmas_of(value.known));
             match value.amount {
-                Amount::Is(tree) if infinity(&tree).is_none() => inner.push((node, tree)),
+                Amount::Is(tree) if infinity(&tree).is_none() => inner.push((node, *tree)),
                 _ => return Err("a sum to infinity of sums that have no closed form".to_owned()),
             }
         }
@@ -369,13 +399,13 @@ impl Endless {
             let mut lemmas = Vec::new();
             self.at_each_index(defined::conditions(&self.of, &self.symbols)?, &mut lemmas)?;
             let (value, region) = self.by(proposal, &mut lemmas)?;
-            Ok((lemmas, Amount::Is(value), region))
+            Ok((lemmas, Amount::Is(Box::new(value)), region))
         };
         let by_test = || {
             let mut lemmas = Vec::new();
             let amount = match tested(self, proposals, &mut lemmas)? {
                 Tested::Between(bounds) => Amount::Between(bounds),
-                Tested::Infinite(is_above) => Amount::Is(infinite(is_above)),
+                Tested::Infinite(is_above) => Amount::Is(Box::new(infinite(is_above))),
             };
             for lemma in &mut lemmas {
                 lemma.statements.rules.insert(Rule::SeriesTest);

@@ -85,10 +85,8 @@ impl Terms<'_> {
     /// The first index, at most the last one that is tried, from which on each value is at most a multiple of the one before.
     fn first_falling(values: &[f64], ratio: f64) -> Option<i64> {
         let pairs = values.iter().zip(values.iter().skip(1));
-        let last = pairs
-            .enumerate()
-            .filter(|(_, (one, next))| next.abs() > ratio * one.abs() * (1.0 + 1e-12))
-            .last();
+        let mut places = pairs.enumerate().rev();
+        let last = places.find(|(_, (one, next))| next.abs() > ratio * one.abs() * (1.0 + 1e-12));
         let first = last.map_or(0, |(place, _)| place as i64 + 1);
         (first <= MOST_BEFORE).then_some(first)
     }
