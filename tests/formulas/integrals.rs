@@ -20,7 +20,6 @@ fn integrals_with_an_integer_follow_by_a_reduction_formula_and_induction() {
         r"\int_0^{\pi/2} \sin^{2n} x \, dx = \frac{(2n)!}{4^n (n!)^2} \frac{\pi}{2}",
         r"\int_0^{\pi/2} \sin^{2n+1} x \, dx = \frac{4^n (n!)^2}{(2n+1)!}",
         r"\int_0^{\pi/2} \cos^{2n} x \, dx = \binom{2n}{n} \frac{\pi}{2^{2n+1}}",
-        r"\int_0^{\pi/2} \sin^{2n} x \cos^3 x \, dx = \frac{2}{(2n+1)(2n+3)}",
         r"\int_0^1 x^m (1-x)^n \, dx = \frac{m! n!}{(m+n+1)!}",
         r"\int_0^1 x^n (1-x)^n \, dx = \frac{(n!)^2}{(2n+1)!}",
         r"\int_{-1}^1 (1-x^2)^n \, dx = \frac{2^{2n+1} (n!)^2}{(2n+1)!}",

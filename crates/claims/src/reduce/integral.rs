@@ -856,11 +856,13 @@ impl Definite<'_> {
     /// continuous on the closed interval; or it has one sign, so that its integral has a value where that of the sum has one.
     fn by_reflection(&self) -> Result<Option<Value>, String> {
         let (rule, about) = (Rule::IntegralReflection, "the integrand that is reflected");
+        let statements = &self.statements.clone().by(rule);
         for (image, slope, needed) in self.exchanges() {
             let reflected = rewrite(&self.of, &|name| (name == self.letter).then(|| image.clone()));
             let reflected = product(vec![slope, reflected]);
             let both = Definite {
                 of: quotient(sum(vec![self.of.clone(), reflected]), integer(2)),
+                statements,
                 ..self.clone()
             };
             let Some(whole) = self.proposals.antiderivative(&both.of, self.letter, self.symbols) else {
