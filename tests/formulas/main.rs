@@ -11,6 +11,7 @@ mod edits;
 mod evidence;
 mod handbook;
 mod hard_cases;
+mod integrals;
 mod kernel;
 mod limits;
 mod papers;

@@ -972,6 +972,11 @@ impl Proposals for Ways<'_> {
         Some(found.swap_remove(place.min(last)))
     }
 
+    fn reduction_formula(&self, of: &Tree, other: &Tree, by: &Name, symbols: &Symbols) -> Option<[Tree; 2]> {
+        self.place?;
+        integration::reduction_formula(of, other, by, symbols)
+    }
+
     fn zeros(&self, of: &Tree, by: &Name, between: [&Tree; 2]) -> Vec<Tree> {
         integration::zeros(of, by, between)
     }

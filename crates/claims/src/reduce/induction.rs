@@ -1,12 +1,13 @@
-//! Sums and products of symbolic length by induction over an integer: the first value, the step, and that everything
-//! has a value at each.
+//! Sums and products of symbolic length, and integrals that depend on an integer, by induction over it: the first value, the step, and
+//! that everything has a value at each.
 
 use super::super::premise::{Premise, Statements};
 use super::build::{difference, integer, power, product, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{WithFactorials, but_factorials};
 use super::integers::{free_integers, whole};
-use super::{Goal, Rule, defined, factorial, fresh, instances, rewritten, telescope};
+use super::integral::{outermost, tied};
+use super::{Goal, NoProposals, Proposals, Rule, defined, factorial, fresh, instances, rewritten, telescope};
 use numbers::{Field, Rational};
 use texmath::{
     Condition, Equation, Meaning, Name, Operation, Relation, Series, Symbols, Tree, any, any_side, holds, index_of,
@@ -71,6 +72,10 @@ const HIGHEST_MORE: i64 = 8;
 /// The most terms that a sum has more at the next integer, where its terms depend on that.
 const MOST_STEPS: i64 = 3;
 
+/// The first values of an integer that are looked at by themselves before a step by an equation that ties an integral to its next
+/// value: small numbers refute, too.
+const TIED_FROM: i64 = 3;
+
 /// The first values of an integer that are looked at by themselves before a step of an inequality without sums.
 const LATER: i64 = 2;
 
@@ -86,14 +91,79 @@ pub(super) struct Moving {
     next: Option<Name>,
 }
 
+/// The goals of an induction.
+#[derive(Default)]
+pub(super) struct Induction {
+    /// What must hold for the values of integrals at the first numbers.
+    pub lemmas: Vec<Goal>,
+    /// The claim with integrals at the first numbers, where it is its values alone.
+    pub necessary: Vec<Goal>,
+    /// The claim holds where all of these and the lemmas do.
+    pub sufficient: Vec<Goal>,
+}
+
+impl Induction {
+    fn of(sufficient: Vec<Goal>) -> Self {
+        Self {
+            sufficient,
+            ..Self::default()
+        }
+    }
+
+    /// Adds the goals of the claim at a number for one of its integers.
+    ///
+    /// # Errors
+    /// Why its integrals have no value that is known.
+    fn add_number(
+        &mut self,
+        statements: &Statements,
+        symbols: &Symbols,
+        proposals: &dyn Proposals,
+        part: String,
+    ) -> Result<(), String> {
+        if super::trees(statements)
+            .into_iter()
+            .all(|tree| outermost(tree).is_empty())
+        {
+            self.sufficient.extend(with_factorials(statements, symbols, part)?);
+            return Ok(());
+        }
+        let mut reduced = super::over_an_index(statements, symbols, proposals, "an integral".to_owned())?;
+        if reduced.sufficient.is_empty() || !reduced.converging.is_empty() {
+            return Err(format!("the integral where {part} has no value that is known"));
+        }
+        reduced.lemmas.iter_mut().for_each(Goal::rest_on_numbers);
+        let named = reduced.lemmas.iter_mut().chain(&mut reduced.sufficient);
+        for goal in named.chain(&mut reduced.necessary) {
+            let own = std::mem::take(&mut goal.part);
+            goal.part = if own.is_empty() {
+                part.clone()
+            } else {
+                format!("{part}: {own}")
+            };
+        }
+        if reduced.is_equivalent {
+            self.necessary.extend(reduced.sufficient.iter().cloned());
+        }
+        self.necessary.extend(reduced.necessary);
+        self.lemmas.extend(reduced.lemmas);
+        self.sufficient.extend(reduced.sufficient);
+        Ok(())
+    }
+}
+
 /// The goals that prove the claim.
 ///
 /// # Errors
 /// Why there is no induction.
-pub(super) fn goals(statements: &Statements, symbols: &Symbols) -> Result<Vec<Goal>, String> {
-    let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
-    if !statements.claims.iter().any(|claim| holds(claim, &is_series)) {
-        return with_factorials(statements, symbols, String::new());
+pub(super) fn goals(
+    statements: &Statements,
+    symbols: &Symbols,
+    proposals: &dyn Proposals,
+) -> Result<Induction, String> {
+    let moves = |operation: &Operation| matches!(operation, Operation::Series { .. } | Operation::Integral { .. });
+    if !statements.claims.iter().any(|claim| holds(claim, &moves)) {
+        return with_factorials(statements, symbols, String::new()).map(Induction::of);
     }
     if statements
         .premises
@@ -111,7 +181,7 @@ pub(super) fn goals(statements: &Statements, symbols: &Symbols) -> Result<Vec<Go
     let letters = free_integers(statements, symbols);
     let mut reason = "the length of a sum is no integer".to_owned();
     for letter in &letters {
-        match over(statements, symbols, letter) {
+        match over(statements, symbols, letter, proposals) {
             Ok(goals) => return Ok(goals),
             Err(why) => reason = why,
         }
@@ -159,10 +229,18 @@ pub(super) fn of_inequalities(statements: &Statements, symbols: &Symbols) -> Opt
         return None;
     }
     let letters = free_integers(statements, symbols);
-    letters.iter().find_map(|letter| over(statements, symbols, letter).ok())
+    letters
+        .iter()
+        .find_map(|letter| over(statements, symbols, letter, &NoProposals).ok())
+        .map(|found| found.sufficient)
 }
 
-fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec<Goal>, String> {
+fn over(
+    statements: &Statements,
+    symbols: &Symbols,
+    letter: &Name,
+    proposals: &dyn Proposals,
+) -> Result<Induction, String> {
     let statements = &statements.clone().by(Rule::SeriesInduction);
     let first = first_value(&statements.assume, symbols, letter)?;
     let first = first.ok_or_else(|| format!("{letter} has no lower bound"))?;
@@ -211,6 +289,12 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
             name,
         });
     }
+    let (integrals, mut goals) = tied_integrals(statements, &mut symbols, letter, first, proposals)?;
+    let (is_telescoped, is_tied) = (!telescoped.is_empty(), !integrals.is_empty());
+    for (own, equation) in integrals {
+        moving.push(own);
+        telescoped.push(equation);
+    }
     let named = |tree: &Tree| mapped(tree, &|node| name_of(node, &moving));
     let now = rewritten(statements, Rule::SeriesInduction, &named);
     // the claim at the next value, by what stands for its sums now
@@ -237,19 +321,21 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
             _ => next.assume.push(Condition::Relation(claim.clone())),
         }
     }
-    if !telescoped.is_empty() {
+    if is_telescoped {
         next = next.by(Rule::SeriesTelescoping);
+    }
+    if is_tied {
+        next = next.by(Rule::IntegralReductionFormula);
     }
     let of_sums = telescoped
         .into_iter()
-        .map(|equation| Premise::known("the sum telescopes", equation));
-    next.premises.extend(of_sums);
-    let mut goals = Vec::new();
+        .map(|equation| Premise::known("what ties it to the next", equation));
     // what an equation gives of the next sum may be nothing at the first value, and powers outgrow others a little later
-    let later = match (over_terms.is_empty(), moving.is_empty()) {
-        (false, _) => 1,
-        (true, true) => LATER,
-        (true, false) => 0,
+    let later = match (is_tied, is_telescoped, moving.is_empty()) {
+        (true, ..) => TIED_FROM,
+        (_, true, _) => 1,
+        (.., true) => LATER,
+        (.., false) => 0,
     };
     if later > 0 {
         next.assume.push(Condition::Relation(Equation {
@@ -257,14 +343,15 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
             ..Equation::between(symbol(letter), integer(first + later))
         }));
     }
+    next.premises.extend(of_sums);
     if moving.is_empty() && first + later >= 1 {
         next = rewritten(&next, Rule::InequalityInduction, &|tree| with_last_powers(tree, letter));
     }
-    let bases = first..=first + later;
-    for base in bases {
+    let mut induction = Induction::default();
+    for base in first..=first + later {
         let at_base = instances::at(statements, &symbols, &[(letter, Rational::from_integer(base))]);
         let at_base = at_base.ok_or("the first value is not admissible")?;
-        goals.extend(with_factorials(&at_base, &symbols, format!("{letter} = {base}"))?);
+        induction.add_number(&at_base, &symbols, proposals, format!("{letter} = {base}"))?;
     }
     goals.extend(with_factorials(
         &next,
@@ -314,7 +401,52 @@ fn over(statements: &Statements, symbols: &Symbols, letter: &Name) -> Result<Vec
             format!("{condition} at each {letter}"),
         )?);
     }
-    Ok(goals)
+    induction.sufficient.extend(goals);
+    Ok(induction)
+}
+
+/// The integrals of the claims that depend on the integer, each with an equation that ties it to its next value, and the goals
+/// that show it from one later than the first value on.
+fn tied_integrals(
+    statements: &Statements,
+    symbols: &mut Symbols,
+    letter: &Name,
+    first: i64,
+    proposals: &dyn Proposals,
+) -> Result<(Vec<(Moving, Equation)>, Vec<Goal>), String> {
+    let mut later = statements.clone();
+    later.assume.push(Condition::Relation(Equation {
+        relation: Relation::GreaterOrEqual,
+        ..Equation::between(symbol(letter), integer(first + TIED_FROM))
+    }));
+    let mut operations: Vec<Operation> = Vec::new();
+    for claim in &statements.claims {
+        let own = [&claim.left, &claim.right].into_iter().flat_map(outermost);
+        operations.extend(own);
+    }
+    let (mut found, mut goals): (Vec<(Moving, Equation)>, Vec<Goal>) = (Vec::new(), Vec::new());
+    for operation in operations {
+        if found.iter().any(|(known, _)| known.operation == operation) {
+            continue;
+        }
+        let [name, next] = ["I", "I"].map(|like| {
+            let name = fresh(statements, symbols, like);
+            symbols.let_be_parameter(&name, false);
+            name
+        });
+        let mut tied = tied(&operation, letter, [&name, &next], &later, symbols, proposals)?;
+        tied.lemmas.iter_mut().for_each(Goal::rest_on_numbers);
+        goals.extend(tied.lemmas);
+        let moving = Moving {
+            operation,
+            name,
+            added: Vec::new(),
+            removed: Vec::new(),
+            next: Some(next),
+        };
+        found.push((moving, tied.equation));
+    }
+    Ok((found, goals))
 }
 
 /// The first value of the integer, by its conditions; `None` where it has no lower bound.

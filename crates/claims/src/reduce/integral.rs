@@ -9,7 +9,7 @@ use super::evaluate::evaluated;
 use super::germ::End;
 use super::limit::of_limit;
 use super::moments::moments;
-use super::series::{guess_at, is_likely_zero};
+use super::series::{guess_at, is_likely_zero, seed};
 use super::unbounded::{infinite, number, total, with_values};
 use super::{Goal, NoProposals, Proposals, Reduced, Rule, defined, factorial, fresh, relations};
 use numbers::{Field, Rational};
@@ -347,6 +347,74 @@ fn value_of(
     }))
 }
 
+/// An equation that ties an integral at an integer to that at the next one.
+pub(super) struct Tied {
+    pub equation: Equation,
+    /// The claims that must hold for it.
+    pub lemmas: Vec<Goal>,
+}
+
+/// The equation `I(n) + c I(n + 1) = v` for the integrals of f(x, n), where `f(x, n) + c f(x, n + 1)` is the derivative of a
+/// function that rises by v from one limit to the other, and c is not 0: the next integral has a value where this one has.
+///
+/// # Errors
+/// Why there is none.
+pub(super) fn tied(
+    operation: &Operation,
+    integer_letter: &Name,
+    names: [&Name; 2],
+    statements: &Statements,
+    symbols: &Symbols,
+    proposals: &dyn Proposals,
+) -> Result<Tied, String> {
+    let statements = &statements.clone().by(Rule::IntegralReductionFormula);
+    let (of, by, limits) = definite(operation).ok_or("an integral without limits")?;
+    may_be_bound(statements, symbols, by, of)?;
+    let moves = |tree: &&Tree| mentions(tree, integer_letter);
+    if by == integer_letter || limits.iter().any(moves) || !mentions(of, integer_letter) {
+        return Err(format!("an integral does not move with {integer_letter} alone"));
+    }
+    let letter = fresh(statements, symbols, &by.base);
+    let mut extended = symbols.clone();
+    extended.let_be_parameter(&letter, false);
+    let of = rewrite(of, &|name| (name == by).then(|| symbol(&letter)));
+    if super::has_operation(&of, symbols) {
+        return Err("an integral of what holds a factorial or another operation".to_owned());
+    }
+    let more = sum(vec![symbol(integer_letter), integer(1)]);
+    let next = rewrite(&of, &|name| (name == integer_letter).then(|| more.clone()));
+    let found = proposals.reduction_formula(&of, &next, &letter, &extended);
+    let [factor, whole] = found.ok_or_else(|| format!("no reduction formula by {integer_letter} is found"))?;
+    if mentions(&factor, &letter) {
+        return Err("a reduction formula whose factor is no number".to_owned());
+    }
+    let definite = Definite {
+        statements,
+        symbols: &extended,
+        of: sum(vec![of, product(vec![factor.clone(), next])]),
+        letter: &letter,
+        limits,
+        proposals,
+    };
+    let mut conditions = definite.conditions(&[&factor])?;
+    conditions.push(Equation {
+        relation: Relation::NotEqual,
+        ..Equation::between(factor.clone(), integer(0))
+    });
+    let about = "the factor of a reduction formula";
+    let lemmas = definite.lemmas(Rule::IntegralReductionFormula, about, conditions, Vec::new())?;
+    let value = definite.by_antiderivative(&whole, lemmas)?;
+    let is_nowhere = |node: &Tree| matches!(node, Tree::Quotient(_, below, _) if is_zero(below));
+    if any(&value.tree, &mut |node| is_nowhere(node)) {
+        return Err("a reduction formula with an infinite value at an end".to_owned());
+    }
+    let [own, next] = names.map(symbol);
+    Ok(Tied {
+        equation: Equation::between(sum(vec![own, product(vec![factor, next])]), value.tree),
+        lemmas: value.lemmas,
+    })
+}
+
 /// That trees are continuous on the closed interval of a definite integral, and around each number of it, as goals.
 pub(super) fn continuous(
     operation: &Operation,
@@ -519,6 +587,22 @@ fn is_one_and_squares(tree: &Tree) -> bool {
     let is_positive = |term: &Tree| number_of(term).is_some_and(|value| value > Rational::from_integer(0));
     let is_square = |term: &Tree| matches!(term, Tree::Power(_, exponent @ 0.., _) if exponent % 2 == 0);
     terms.iter().any(is_positive) && terms.iter().all(|term| is_positive(term) || is_square(term))
+}
+
+/// The largest denominator of a ratio of radicands.
+const LARGEST_RATIO: i64 = 144;
+
+/// The positive rational number that a tree is likely to be times another one.
+fn rational_ratio(above: &Tree, below: &Tree) -> Option<Rational> {
+    let [above_value, below_value] = [above, below].map(|tree| guess_at(tree, &|name| Some(seed(name))));
+    let ratio = above_value? / below_value?;
+    let parts = (1..=LARGEST_RATIO).find(|parts| {
+        let whole = ratio * *parts as f64;
+        whole > 0.5 && whole < 1e6 && (whole - whole.round()).abs() < 1e-9
+    })?;
+    let factor = Rational::from_ratio((ratio * parts as f64).round() as i64, parts);
+    let multiple = product(vec![Tree::Number(factor.clone()), below.clone()]);
+    is_likely_zero(&difference(above.clone(), multiple)).then_some(factor)
 }
 
 /// One definite integral, perhaps an improper one, which is the limit towards an infinite end, or towards one at which the
@@ -766,26 +850,70 @@ impl Definite<'_> {
         }))
     }
 
-    /// Half of the integral of the sum of the integrand and its reflection at the middle of a finite interval, on which it is
-    /// continuous.
-    fn by_reflection(&self) -> Result<Option<Value>, String> {
+    /// The maps of the interval onto itself that exchange its ends, each with the size of its slope and what must hold for it to be one:
+    /// the reflection at the middle of a finite interval, and the reciprocal between ends that are reciprocal.
+    fn exchanges(&self) -> Vec<(Tree, Tree, Vec<Equation>)> {
         let [low, high] = self.limits;
-        if self.limits.iter().any(|limit| infinity(limit).is_some()) {
-            return Ok(None);
+        let letter = || symbol(self.letter);
+        let is_finite = self.limits.iter().all(|limit| infinity(limit).is_none());
+        let mut found = Vec::new();
+        if is_finite {
+            let turned = difference(sum(vec![low.clone(), high.clone()]), letter());
+            found.push((turned, integer(1), Vec::new()));
         }
-        let turned = difference(sum(vec![low.clone(), high.clone()]), symbol(self.letter));
-        let reflected = rewrite(&self.of, &|name| (name == self.letter).then(|| turned.clone()));
-        let both = Definite {
-            of: quotient(sum(vec![self.of.clone(), reflected]), integer(2)),
-            ..self.clone()
-        };
-        let Some(whole) = self.proposals.antiderivative(&both.of, self.letter, self.symbols) else {
-            return Ok(None);
-        };
-        let continuous = self.conditions(&[&self.of])?;
-        let about = "the integrand that is reflected";
-        let lemmas = self.lemmas(Rule::IntegralReflection, about, continuous, self.interval(true)?)?;
-        both.by_antiderivative(&whole, lemmas).map(Some)
+        let reciprocal = || quotient(integer(1), letter());
+        let slope = || quotient(integer(1), super::build::power(letter(), 2));
+        let product_of_ends = Equation::between(product(vec![low.clone(), high.clone()]), integer(1));
+        if is_zero(low) && infinity(high) == Some(true) {
+            found.push((reciprocal(), slope(), Vec::new()));
+        } else if is_finite && is_likely_zero(&difference(product_of_ends.left.clone(), integer(1))) {
+            let positive = Equation {
+                relation: Relation::Greater,
+                ..Equation::between(low.clone(), integer(0))
+            };
+            found.push((reciprocal(), slope(), vec![positive, product_of_ends]));
+        }
+        found
+    }
+
+    /// Half of the integral of the sum of the integrand and its image under a map that exchanges the ends. The integrand is
+    /// continuous on the closed interval; or it has one sign, so that its integral has a value where that of the sum has one.
+    fn by_reflection(&self) -> Result<Option<Value>, String> {
+        let (rule, about) = (Rule::IntegralReflection, "the integrand that is reflected");
+        let statements = &self.statements.clone().by(rule);
+        for (image, slope, needed) in self.exchanges() {
+            let reflected = rewrite(&self.of, &|name| (name == self.letter).then(|| image.clone()));
+            let reflected = product(vec![slope, reflected]);
+            let both = Definite {
+                of: quotient(sum(vec![self.of.clone(), reflected]), integer(2)),
+                statements,
+                ..self.clone()
+            };
+            let Some(whole) = self.proposals.antiderivative(&both.of, self.letter, self.symbols) else {
+                continue;
+            };
+            let mut conditions = self.conditions(&[&self.of])?;
+            let is_closed = self
+                .limits
+                .iter()
+                .all(|limit| infinity(limit).is_none() && !self.is_singular(&conditions, limit));
+            if !is_closed {
+                let signed = self.with_sign(Equation {
+                    relation: Relation::NotEqual,
+                    ..Equation::between(self.of.clone(), integer(0))
+                });
+                let relation = match signed.relation {
+                    Relation::Greater => Relation::GreaterOrEqual,
+                    Relation::Less => Relation::LessOrEqual,
+                    _ => continue,
+                };
+                conditions.push(Equation { relation, ..signed });
+            }
+            let mut lemmas = self.lemmas(rule, about, conditions, self.interval(is_closed)?)?;
+            lemmas.extend(self.lemmas(rule, about, needed, Vec::new())?);
+            return both.by_antiderivative(&whole, lemmas).map(Some);
+        }
+        Ok(None)
     }
 
     /// The integral by an antiderivative on each piece between places at which it has no value or no slope. Within a piece the integrand is
@@ -826,6 +954,8 @@ impl Definite<'_> {
         let mut lemmas = self.lemmas(rule, about, conditions.clone(), closed)?;
         let mut within = self.conditions(&[&self.of, &slope])?;
         within.retain(|condition| !conditions.contains(condition));
+        let (slope, related) = self.by_own_roots(&slope);
+        within.extend(related);
         within.push(Equation::between(slope, self.of.clone()));
         lemmas.extend(self.lemmas(rule, about, within, self.interval(false)?)?);
         let [low, high] = self.limits;
@@ -855,6 +985,31 @@ impl Definite<'_> {
             lemmas,
             converging: Vec::new(),
         })
+    }
+
+    /// A derivative with its square roots as multiples of those of the integrand, where their radicands are likely to be rational multiples,
+    /// and the equations of these roots: each is shown by itself.
+    fn by_own_roots(&self, slope: &Tree) -> (Tree, Vec<Equation>) {
+        let mut own: Vec<Tree> = Vec::new();
+        any(&self.of, &mut |node| {
+            let is_root = matches!(node, Tree::Root(radicand, 2, _) if mentions(radicand, self.letter));
+            if is_root && !own.contains(node) {
+                own.push(node.clone());
+            }
+            false
+        });
+        let related = std::cell::RefCell::new(Vec::new());
+        let slope = mapped(slope, &|node| {
+            let Tree::Root(radicand, 2, _) = node else { return None };
+            let (factor, known) = own.iter().find_map(|known| match known {
+                Tree::Root(other, ..) if node != known => Some((rational_ratio(radicand, other)?, known)),
+                _ => None,
+            })?;
+            let new = product(vec![root(Tree::Number(factor)), known.clone()]);
+            related.borrow_mut().push(Equation::between(node.clone(), new.clone()));
+            Some(new)
+        });
+        (slope, related.into_inner())
     }
 
     /// A limit, or what tends to it from above or below.

@@ -79,6 +79,11 @@ pub trait Proposals {
         None
     }
 
+    /// Returns a factor without the letter and a function whose derivative by the letter is a tree plus the factor times another.
+    fn reduction_formula(&self, _of: &Tree, _other: &Tree, _by: &Name, _symbols: &Symbols) -> Option<[Tree; 2]> {
+        None
+    }
+
     /// Returns numbers between two others, in ascending order, at which a tree in one letter is 0.
     fn zeros(&self, _of: &Tree, _by: &Name, _between: [&Tree; 2]) -> Vec<Tree> {
         Vec::new()
@@ -436,11 +441,17 @@ fn over_an_index(
     }
     let mut necessary = instances::of(statements, symbols);
     necessary.extend(instances::of_integrals(statements, symbols));
-    let (sufficient, why) = match induction::goals(statements, symbols) {
+    let (mut induction, why) = match induction::goals(statements, symbols, proposals) {
         Ok(goals) => (goals, String::new()),
-        Err(why) => (Vec::new(), why),
+        Err(why) => (induction::Induction::default(), why),
     };
-    if necessary.is_empty() && sufficient.is_empty() {
+    if necessary.is_empty() {
+        necessary.append(&mut induction.necessary);
+    } else {
+        // these show something without the lemmas
+        induction.sufficient.append(&mut induction.lemmas);
+    }
+    if necessary.is_empty() && induction.sufficient.is_empty() {
         let found = instances::with_integrals(statements, symbols, proposals);
         return found
             .map(|found| Reduced {
@@ -450,7 +461,8 @@ fn over_an_index(
             .ok_or(reason);
     }
     Ok(Reduced {
-        sufficient,
+        lemmas: induction.lemmas,
+        sufficient: induction.sufficient,
         necessary,
         reason: why,
         ..Reduced::default()

@@ -96,7 +96,30 @@ fn multiple(factor: &Rational, of: Tree) -> Tree {
     product(vec![number, of])
 }
 
-/// A value as a multiple of pi or of another value, or as a multiple of pi more or less than another one.
+/// The multiples of two values whose sum is looked at as a third one, in halves.
+const HALVES: i32 = 4;
+
+/// A logarithm as the sum of multiples of two others.
+fn of_two(value: f64, basis: &[(Tree, f64)]) -> Option<Tree> {
+    let logarithms: Vec<&(Tree, f64)> = basis.iter().filter(|(other, _)| is_logarithm(other)).collect();
+    let mut pairs = logarithms.iter().enumerate().flat_map(|(place, one)| {
+        let others = logarithms.iter().take(place);
+        others.map(move |other| (one, other))
+    });
+    pairs.find_map(|((one, first), (other, second))| {
+        let halves = (-HALVES..=HALVES).filter(|halves| *halves != 0);
+        let mut found = halves.filter_map(|halves| {
+            let rest = ratio((value - 0.5 * f64::from(halves) * first) / second, 2)?;
+            let factor = Rational::from_ratio(i64::from(halves), 2);
+            let is_small = (-HALVES..=HALVES).any(|own| Rational::from_ratio(i64::from(own), 2) == rest);
+            is_small.then(|| sum(vec![multiple(&factor, one.clone()), multiple(&rest, other.clone())]))
+        });
+        found.next()
+    })
+}
+
+/// A value as a rational number, as a multiple of pi or of another value, as a multiple of pi more or less than another one, or as the
+/// sum of multiples of two others.
 fn relation(tree: &Tree, value: f64, basis: &[(Tree, f64)]) -> Option<Tree> {
     let pi = || symbol(&plain("\\pi"));
     let of_pi = |value: f64| ratio(value / std::f64::consts::PI, PARTS_OF_PI);
@@ -117,12 +140,15 @@ fn relation(tree: &Tree, value: f64, basis: &[(Tree, f64)]) -> Option<Tree> {
         });
         return found.next();
     }
+    if let Some(number) = ratio(value, PARTS) {
+        return Some(multiple(&number, integer(1)));
+    }
     let logarithms = basis.iter().filter(|(other, _)| is_logarithm(other));
     let mut found = logarithms.filter_map(|(other, known)| {
         let factor = ratio(value / known, PARTS)?;
         Some(multiple(&factor, other.clone()))
     });
-    found.next()
+    found.next().or_else(|| of_two(value, basis))
 }
 
 #[cfg(test)]
@@ -134,7 +160,7 @@ mod tests {
     fn relations_between_values_are_found() {
         let read = |tex: &str| read_expression(tex, &Names::default()).unwrap();
         let value = |tree: &Tree| guess_at(tree, &|_| None).unwrap();
-        let basis = [r"\ln(1 + \sqrt{2})", r"\arctan 3"].map(|tex| (read(tex), value(&read(tex))));
+        let basis = [r"\ln(1 + \sqrt{2})", r"\arctan 3", r"\ln 2"].map(|tex| (read(tex), value(&read(tex))));
         for (tex, expected) in [
             (r"\arctan(1 + \sqrt{2})", true),
             (r"\arctan \frac{1}{3}", true),
@@ -142,7 +168,9 @@ mod tests {
             (r"\ln \frac{2 + \sqrt{2}}{2 - \sqrt{2}}", true),
             (r"\arcsin 0", true),
             (r"\arctan 5", false),
-            (r"\ln(2 + \sqrt{2})", false),
+            (r"\ln(2 + \sqrt{2})", true),
+            (r"\ln(3 + \sqrt{2})", false),
+            (r"\ln \sqrt{e}", true),
         ] {
             let tree = read(tex);
             let found = relation(&tree, value(&tree), &basis);

@@ -34,6 +34,8 @@ pub enum Rule {
     IntegralTable,
     /// An integral is differentiated by a letter in its limits or its integrand.
     IntegralLeibniz,
+    /// Integrals at an integer and at the next one are tied by integration by parts, and follow by induction.
+    IntegralReductionFormula,
     /// The integral is half of that of the integrand and its reflection at the middle of the interval.
     IntegralReflection,
     /// Logarithms and angles are replaced by multiples of others that are shown to be equal.
@@ -148,6 +150,7 @@ impl fmt::Display for Rule {
             Self::IntegralGamma => "integral: gamma function",
             Self::IntegralTable => "integral: table",
             Self::IntegralLeibniz => "integral: Leibniz",
+            Self::IntegralReductionFormula => "integral: reduction formula",
             Self::IntegralReflection => "integral: reflection",
             Self::ValueRelations => "values: relations",
             Self::LimitSeries => "limit: series",

@@ -10,7 +10,7 @@ use super::linear::{Row, Scalar, solve};
 use super::tangents::without_tangents;
 use super::tower::{Kind, Tower};
 use super::tree::{product, quotient, sum};
-use crate::algebra::{degree_in, derivative, exact_quotient, exponent, power};
+use crate::algebra::{coefficients_in, degree_in, derivative, exact_quotient, exponent, power};
 use kernel::{Monomial, Polynomial, Term};
 use num_traits::One;
 use numbers::Rational;
@@ -27,8 +27,23 @@ impl Field {
         let candidates = self.candidates(tower)?;
         let below = self.below(tower)?;
         let monomials = self.monomials(&below, tower)?;
-        let (solution, constant) = self.solved(&below, &monomials, &candidates, tower)?;
-        self.trees(&below, &monomials, &candidates, &solution, &constant, tower)
+        let (columns, right) = self.columns(&below, &monomials, &candidates, tower)?;
+        let solution = self.coefficients(&columns, &right, tower)?;
+        self.trees(&below, &monomials, &candidates, &solution, &self.constant, tower)
+    }
+
+    /// The value of the letter that is free, and the antiderivative of the integrand with it.
+    pub fn integrated_with(&self, free: Term, tower: &mut Tower) -> Option<(Fraction, Tree)> {
+        let candidates = self.candidates(tower)?;
+        let below = self.below(tower)?;
+        let monomials = self.monomials(&below, tower)?;
+        let (mut columns, right) = self.columns(&below, &monomials, &candidates, tower)?;
+        let [right, of_free] = coefficients_in(&right, free).try_into().ok()?;
+        columns.push(of_free.negated());
+        let mut solution = self.coefficients(&columns, &right, tower)?;
+        let value = solution.remove(&(columns.len() - 1))?;
+        let found = self.trees(&below, &monomials, &candidates, &solution, &self.constant, tower)?;
+        Some((value, found.into_iter().next()?))
     }
 
     /// The denominator of the rational part.
@@ -130,14 +145,15 @@ impl Field {
         Some(all.into_iter().map(|(monomial, _)| monomial).collect())
     }
 
-    /// The equations for the coefficients, solved; and the letters that the solution is to be divided by.
-    fn solved(
+    /// What the coefficients are multiplied by in the equation for them, and its right side, which is taken times the letters that
+    /// stand below the integrand.
+    fn columns(
         &self,
         below: &Polynomial,
         monomials: &[Monomial],
         candidates: &[Candidate],
         tower: &mut Tower,
-    ) -> Option<(BTreeMap<usize, Fraction>, Polynomial)> {
+    ) -> Option<(Vec<Polynomial>, Polynomial)> {
         let mut normal = Polynomial::integer(1);
         for divisor in self.divisors.iter().filter(|divisor| !divisor.is_special) {
             normal = times(&normal, &divisor.factor, &mut tower.steps).ok()?;
@@ -170,9 +186,7 @@ impl Field {
         let right = times(&self.integrand.above, &whole, &mut tower.steps).ok()?;
         let right = times(&right, &self.constant, &mut tower.steps).ok()?;
         let right = exact_quotient(&right, &self.integrand.below, &mut tower.steps).ok()??;
-        let right = tower.reduced(&right)?;
-        let solution = self.coefficients(&columns, &right, tower)?;
-        Some((solution, self.constant.clone()))
+        Some((columns, tower.reduced(&right)?))
     }
 
     fn coefficients(
