@@ -156,6 +156,12 @@ impl Reduced {
             ..Self::default()
         }
     }
+
+    /// The same once other claims are shown.
+    fn after(mut self, lemmas: Vec<Goal>) -> Self {
+        self.lemmas.extend(lemmas);
+        self
+    }
 }
 
 impl Goal {
@@ -256,44 +262,52 @@ fn without_operations(
     let (written, symbols) = bound::apart(&unbounded::finite(&written_out(statements, symbols)?), symbols);
     let symbols = &symbols;
     if let Some((rest, search, lemmas)) = supplied::supplied(&written, symbols, proposals) {
-        let mut reduced = match without_operations(&rest, symbols, &search)? {
-            Some(reduced) => reduced,
-            None => Reduced::itself(Goal::of(&rest, symbols, String::new())),
-        };
-        reduced.lemmas.extend(lemmas);
-        return Ok(Some(reduced));
+        return Ok(Some(or_itself(&rest, symbols, &search)?.after(lemmas)));
     }
     if let Some((rest, extended, lemmas)) = floor::as_integers(&written, symbols)? {
-        let mut reduced = match without_operations(&rest, &extended, proposals)? {
-            Some(reduced) => reduced,
-            None => Reduced::itself(Goal::of(&rest, &extended, String::new())),
-        };
-        reduced.lemmas.extend(lemmas);
-        return Ok(Some(reduced));
+        return Ok(Some(or_itself(&rest, &extended, proposals)?.after(lemmas)));
     }
     if let Some(summed) = infinite::summed(&written, symbols, proposals)? {
-        let symbols = &summed.symbols;
-        let mut reduced = match without_operations(&summed.statements, symbols, proposals)? {
-            Some(reduced) => reduced,
-            None => Reduced::itself(Goal::of(&summed.statements, symbols, String::new())),
-        };
-        if summed.is_bounded {
-            // it may hold for the value of the sum, and fail for another number between its bounds
-            reduced.is_equivalent = false;
-            reduced.necessary.clear();
-        }
-        reduced.lemmas.extend(summed.lemmas);
-        reduced.converging.extend(summed.converging);
-        if let Some(there) = summed.where_zero {
-            reduced.where_zero = match without_operations(&there, symbols, proposals)? {
-                Some(reduced) if reduced.is_equivalent && reduced.lemmas.is_empty() => reduced.sufficient,
-                Some(_) => return Err("a sum whose terms may all be 0".to_owned()),
-                None => vec![Goal::of(&there, symbols, String::new())],
-            };
-        }
-        return Ok(Some(reduced));
+        return of_sums(summed, proposals).map(Some);
     }
-    let written = induction::with_lengths(&written, symbols);
+    let (statements, lemmas) = with_values(&written, symbols, proposals)?;
+    Ok(Some(in_each_case(&statements, symbols, proposals)?.after(lemmas)))
+}
+
+/// What a claim comes to, itself where it is about numbers.
+fn or_itself(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Result<Reduced, String> {
+    let reduced = without_operations(statements, symbols, proposals)?;
+    Ok(reduced.unwrap_or_else(|| Reduced::itself(Goal::of(statements, symbols, String::new()))))
+}
+
+/// What a claim comes to whose sums to infinity have been replaced.
+fn of_sums(summed: infinite::Summed, proposals: &dyn Proposals) -> Result<Reduced, String> {
+    let symbols = &summed.symbols;
+    let mut reduced = or_itself(&summed.statements, symbols, proposals)?;
+    if summed.is_bounded {
+        // it may hold for the value of the sum, and fail for another number between its bounds
+        reduced.is_equivalent = false;
+        reduced.necessary.clear();
+    }
+    reduced.converging.extend(summed.converging);
+    if let Some(there) = summed.where_zero {
+        let there = or_itself(&there, symbols, proposals)?;
+        if !there.is_equivalent || !there.lemmas.is_empty() {
+            return Err("a sum whose terms may all be 0".to_owned());
+        }
+        reduced.where_zero = there.sufficient;
+    }
+    Ok(reduced.after(summed.lemmas))
+}
+
+/// The statements with what has a closed form written so, and what must hold for that: sums of symbolic length, roots of symbolic
+/// index, signs, functions that are given, derivatives of integrals, Riemann sums and limits.
+fn with_values(
+    written: &Statements,
+    symbols: &Symbols,
+    proposals: &dyn Proposals,
+) -> Result<(Statements, Vec<Goal>), String> {
+    let written = induction::with_lengths(written, symbols);
     let (written, closed) = match finite::closed(&written, symbols, proposals) {
         Some(closed) => (closed.statements, closed.lemmas),
         None => (written, Vec::new()),
@@ -328,9 +342,13 @@ fn without_operations(
         (statements, needed) = limit::evaluated(&statements, symbols)?;
         lemmas.extend(needed);
     }
+    Ok((statements, lemmas))
+}
+
+/// What a claim comes to in each of its cases.
+fn in_each_case(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Result<Reduced, String> {
     let mut goals = Vec::new();
-    let split = cases::split(&statements, symbols)?;
-    lemmas.extend(split.lemmas);
+    let split = cases::split(statements, symbols)?;
     for (part, statements) in split.choices {
         let by_numbers = evaluate::evaluated(&statements, symbols);
         match by_numbers {
@@ -341,19 +359,17 @@ fn without_operations(
                 goals.push(Goal::of(&evaluated, symbols, part));
             }
             Err(reason) if part.is_empty() => {
-                let mut reduced = over_an_index(&statements, symbols, proposals, reason)?;
-                reduced.lemmas.extend(lemmas);
-                return Ok(Some(reduced));
+                return Ok(over_an_index(&statements, symbols, proposals, reason)?.after(split.lemmas));
             }
             Err(reason) => return Err(reason),
         }
     }
-    Ok(Some(Reduced {
-        lemmas,
+    Ok(Reduced {
+        lemmas: split.lemmas,
         sufficient: goals,
         is_equivalent: true,
         ..Reduced::default()
-    }))
+    })
 }
 
 /// What a claim without operations comes to once it is not decided as it stands: the induction along a sequence, the signs
