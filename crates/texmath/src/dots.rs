@@ -182,9 +182,7 @@ fn by_number(first: &[Tree], last: &Tree) -> Vec<Law> {
     };
     let mut ends: Vec<Tree> = Vec::new();
     any(last, &mut |node| {
-        let whole = whole(node)
-            .map(|value| number(value))
-            .filter(|_| matches!(node, Tree::Number(_)));
+        let whole = whole(node).map(number).filter(|_| matches!(node, Tree::Number(_)));
         let name = match node {
             Tree::Symbol(name, _) if !is_constant(name) => Some(symbol(name)),
             _ => None,

@@ -405,6 +405,9 @@ fn over(
     Ok(induction)
 }
 
+/// An integral whose integrand depends on the letter, and what ties it to the next one.
+type Tied = (Moving, Equation);
+
 /// The integrals of the claims that depend on the integer, each with an equation that ties it to its next value, and the goals
 /// that show it from one later than the first value on.
 fn tied_integrals(
@@ -413,7 +416,7 @@ fn tied_integrals(
     letter: &Name,
     first: i64,
     proposals: &dyn Proposals,
-) -> Result<(Vec<(Moving, Equation)>, Vec<Goal>), String> {
+) -> Result<(Vec<Tied>, Vec<Goal>), String> {
     let mut later = statements.clone();
     later.assume.push(Condition::Relation(Equation {
         relation: Relation::GreaterOrEqual,

@@ -25,9 +25,12 @@ const MOST_WITH_INTEGRALS: usize = 4;
 const IN_EXPONENTS: [(i64, i64); 4] = [(1, 2), (3, 2), (1, 4), (5, 4)];
 const ELSEWHERE: [(i64, i64); 6] = [(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (1, 5)];
 
+/// Numbers that stand for letters.
+type Numbers<'a> = [(&'a Name, Rational)];
+
 /// The claim at small numbers for its integers, in all the places where they stand.
 pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
-    let goal = |instance: &Statements, pairs: &[(&Name, Rational)]| {
+    let goal = |instance: &Statements, pairs: &Numbers<'_>| {
         let evaluated = evaluated(instance, symbols).ok()?;
         if trees(&evaluated).into_iter().any(super::factorial::stands_in) {
             return None;
@@ -39,7 +42,7 @@ pub(super) fn of(statements: &Statements, symbols: &Symbols) -> Vec<Goal> {
 
 /// The claim with integrals at small numbers for its integers; each instance holds where its lemmas do.
 pub(super) fn with_integrals(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Option<Reduced> {
-    let reduced = |instance: &Statements, pairs: &[(&Name, Rational)]| {
+    let reduced = |instance: &Statements, pairs: &Numbers<'_>| {
         let mut reduced = by_antiderivatives(instance, symbols, proposals).ok()??;
         reduced.sufficient = reduced.sufficient.into_iter().map(|goal| goal.at(pairs)).collect();
         for goal in &mut reduced.sufficient {
@@ -67,7 +70,7 @@ fn first_found<T>(
     statements: &Statements,
     symbols: &Symbols,
     most: usize,
-    found: &dyn Fn(&Statements, &[(&Name, Rational)]) -> Option<T>,
+    found: &dyn Fn(&Statements, &Numbers<'_>) -> Option<T>,
 ) -> Vec<T> {
     let letters = free_integers(statements, symbols);
     let mut all = Vec::new();
@@ -92,7 +95,7 @@ fn first_found<T>(
 }
 
 /// The numbers that stand for letters, as they print.
-fn named(pairs: &[(&Name, Rational)]) -> String {
+fn named(pairs: &Numbers<'_>) -> String {
     let all: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     all.join(", ")
 }
