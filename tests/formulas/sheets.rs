@@ -1267,6 +1267,49 @@ fn a_counterexample_names_the_numbers_that_stand_for_letters() {
 }
 
 #[test]
+fn what_is_said_to_be_finite_is_so_for_all_letters() {
+    let real = "parameters = ['a', 'x']";
+    for tex in [
+        r"\sum_{k=0}^\infty x^k < \infty",
+        r"\sum_{k=1}^\infty \frac{x^k}{k} < \infty",
+        r"\int_0^\infty e^{-a x} dx < \infty",
+        r"\int_0^\infty \frac{dx}{x^2 + a^2} < \infty",
+    ] {
+        assert_ne!(verdict_under(real, "", tex), Verdict::Proved, "{tex}");
+    }
+    for (assume, tex) in [
+        ("'x > -1', 'x < 1'", r"\sum_{k=0}^\infty x^k < \infty"),
+        ("'a > 0'", r"\int_0^\infty e^{-a x} dx < \infty"),
+        ("", r"\sum_{k=1}^\infty \frac{1}{k^2} < \infty"),
+        ("", r"\sum_{k=0}^\infty 2^k = \infty"),
+    ] {
+        assert_eq!(verdict_under(real, assume, tex), Verdict::Proved, "{tex}");
+    }
+    // two sums, of which one is infinite
+    let both = r"\sum_{k=-\infty}^\infty 2^k = \infty";
+    assert_ne!(verdict_under(real, "", both), Verdict::Refuted);
+}
+
+#[test]
+fn a_function_without_its_argument_is_not_taken_to_be_constant() {
+    let symbols = "parameters = ['x', 'a', 'b']\nfunctions = ['f', 'g']";
+    for tex in [
+        r"\frac{d}{dx} f^2 = 0",
+        r"\frac{d}{dx} (f g) = f' g + f g'",
+        r"\int_a^b f \, dx = (b - a) f",
+        r"\int f \, dx = x f + C",
+        r"\lim_{x \to a} (x f) = a f",
+    ] {
+        assert_eq!(verdict_under(symbols, "", tex), Verdict::Unread, "{tex}");
+    }
+    let of_t = r"\frac{d}{dt} (f(t) g(t)) = f'(t) g(t) + f(t) g'(t)";
+    assert_eq!(
+        verdict_under("times = ['t']\nfunctions = ['f', 'g']", "", of_t),
+        Verdict::Proved
+    );
+}
+
+#[test]
 fn powers_that_cancel_have_a_sum_everywhere() {
     let tex = r"\sum_{k=0}^{\infty} (x^k - x^k) = |x - 2| + x - 2";
     assert_ne!(verdict_under("parameters = ['x']", "", tex), Verdict::Proved);

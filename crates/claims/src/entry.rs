@@ -1000,6 +1000,21 @@ fn wrong_letter(
             )
     };
     let holds_operation = |of: &Tree| any(of, &mut |node| matches!(node, Tree::Operation(..)));
+    // a function without its argument, where no letter runs that it would be a function of
+    let of_nothing = |of: &Tree, by: &Name| {
+        let mut bare = None;
+        any(of, &mut |node| {
+            if let Tree::Symbol(name, _) = node
+                && is_function(name)
+                && name != by
+                && symbols.names.running.is_none()
+            {
+                bare = Some(name.clone());
+            }
+            bare.is_some()
+        });
+        bare
+    };
     let mut found = None;
     any(tree, &mut |node| {
         if let Tree::Operation(operation, at) = node {
@@ -1038,6 +1053,17 @@ fn wrong_letter(
                 } if is_on_its_own(of, by) => Some(format!(
                     "whether `{of}` depends on `{by}` is not said: give it by a definition, or as a function"
                 )),
+                Operation::Derivative { of, by, order: 1.., .. }
+                | Operation::Integral { of, by, .. }
+                | Operation::Limit { of, by, .. }
+                    if of_nothing(of, by).is_some() =>
+                {
+                    of_nothing(of, by).map(|name| {
+                        format!(
+                            "whether `{name}` depends on `{by}` is not said: write `{name}({by})`, or say with `times` what runs"
+                        )
+                    })
+                }
                 Operation::Integral { of, by: letter, .. } | Operation::Limit { of, by: letter, .. }
                     if applies(of, letter) || speaks_of_others(of, letter) =>
                 {

@@ -10,6 +10,8 @@ use numbers::Analytic;
 const MOST_TERMS: usize = 400;
 const TRANSFORMED: usize = 30;
 const TRANSFORMED_WIDE: usize = 90;
+/// The estimates of which the last ones tell how near they are.
+const LEAST: usize = 8;
 /// Negligible terms in a row after which the rest is left out.
 const NEGLIGIBLE: usize = 4;
 /// The largest ratio of terms of which the rest is as small as they are.
@@ -119,8 +121,12 @@ fn transformed<V: Value>(terms: &[V], sums: &[V], size: f64) -> Option<Estimate<
             weight = weight * ratio.clone();
         }
         let value = above.first()?.over(below.first()?);
-        if let [.., before, last] = found.as_slice() {
-            let error = 10.0 * (value.clone() - last.clone()).size() + (last.clone() - before.clone()).size();
+        if let [.., earlier, before, last] = found.as_slice()
+            && found.len() >= LEAST
+        {
+            // of the first ones a few may agree by chance
+            let apart = |one: &V, other: &V| (one.clone() - other.clone()).size();
+            let error = 10.0 * apart(&value, last) + apart(last, before) + apart(before, earlier);
             if best.as_ref().is_none_or(|best| error < best.error) {
                 best = Some(Estimate {
                     value: value.clone(),

@@ -442,9 +442,9 @@ impl<'a> Search<'a> {
                     decision.exception = None;
                     return Some(decision);
                 }
-                // nothing lies in such a case, or the claim has no value there; a way of an equivalence must have one
+                // nothing lies in such a case, or the claim has no value there, which may be part of it
                 _ if !is_case => {}
-                Verdict::Refuted if !statements.is_way => is_undefined = true,
+                Verdict::Refuted if !statements.assert_values() => is_undefined = true,
                 _ => is_open = true,
             }
         }
@@ -562,8 +562,8 @@ impl<'a> Search<'a> {
                     .filter(|own| !own.at_zero.iter().any(&mut holds))
                     .collect();
                 self.forget(shown);
-                // a way of an equivalence must have a value wherever the other side holds
-                if !needed.is_empty() && goals.sufficient.iter().any(|goal| goal.statements.is_way) {
+                // that it has a value is part of the claim
+                if !needed.is_empty() && goals.sufficient.iter().any(|goal| goal.statements.assert_values()) {
                     self.forget(known);
                     return None;
                 }

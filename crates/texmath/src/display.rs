@@ -375,7 +375,6 @@ mod tests {
             "x = 0,26",
             "a = b \\\\ c",
             "a == b",
-            "a <= b",
             "a <",
             r"a \approx b",
             r"a \sim b",

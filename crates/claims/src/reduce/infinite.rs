@@ -219,7 +219,7 @@ pub(super) fn summed(
         letters,
     } = Values::of(statements, symbols, proposals)?;
     // a way of an equivalence is to be shown to have a value
-    if statements.is_way {
+    if statements.assert_values() {
         known.clear();
     }
     let with = |values: &[(Tree, Tree)]| {

@@ -65,6 +65,15 @@ fn beside_infinity(claim: &Equation) -> Option<(&Tree, bool)> {
     }
 }
 
+impl Statements {
+    /// Returns true if the claims say of something that it has a value: a way of an equivalence does, and `< \\infty` of a sum.
+    pub fn assert_values(&self) -> bool {
+        self.is_way
+            || self.rules.contains(&Rule::Infinity)
+            || self.claims.iter().any(|claim| beside_infinity(claim).is_some())
+    }
+}
+
 /// Returns true for an equation between infinity and what may be infinite.
 pub(super) fn is_infinite(claim: &Equation) -> bool {
     claim.relation == Relation::Equal && beside_infinity(claim).is_some()
@@ -126,13 +135,24 @@ pub(super) fn refuted_by_value(statements: &Statements) -> Statements {
 pub(super) fn with_values(statements: &Statements, rule: Rule, values: &[(Tree, Tree)]) -> Result<Statements, String> {
     let value = |node: &Tree| values.iter().find(|(known, _)| known == node).map(|(_, value)| value);
     let mut out = statements.clone();
+    let is_endless = |node: &Tree| value(node).is_some_and(|value| infinity(value).is_some());
     for claim in out.claims.iter_mut().filter(|claim| claim.relation == Relation::Equal) {
-        let sides = beside_infinity(claim).map(|(other, is_above)| (value(other).and_then(infinity), is_above));
-        match sides {
-            Some((Some(own), is_above)) if own == is_above => *claim = has_value(integer(0)),
-            Some((Some(_), _)) => *claim = falsehood(),
-            _ => {}
-        }
+        let Some((other, is_above)) =
+            beside_infinity(claim).filter(|(other, _)| any(other, &mut |node| is_endless(node)))
+        else {
+            continue;
+        };
+        let whole = mapped(other, &|node| value(node).cloned());
+        let terms = match whole {
+            Tree::Sum(terms) => terms,
+            whole => vec![whole],
+        };
+        let finite = terms.iter().filter(|term| infinity(term).is_none()).cloned().collect();
+        *claim = match infinity(&total(terms)) {
+            Some(own) if own == is_above => has_value(sum(finite)),
+            Some(_) => falsehood(),
+            None => return Err("what is infinite stands in a formula beside infinity".to_owned()),
+        };
     }
     if !out.has_formulas_of(statements) {
         out = out.by(rule).by(Rule::Infinity);
