@@ -1267,6 +1267,20 @@ fn a_counterexample_names_the_numbers_that_stand_for_letters() {
 }
 
 #[test]
+fn powers_with_a_value_at_one_point_alone_prove_nothing() {
+    let symbols = "parameters = ['a', 'x']\npositive = ['p']";
+    for tex in [
+        r"(-x)^a = 5 x^a",
+        r"(-x)^p = 5 x^p",
+        r"(x-1)^p = 7 (1-x)^p",
+        r"(-|x|)^p = 7 |x|^p",
+    ] {
+        assert_ne!(verdict_under(symbols, "", tex), Verdict::Proved, "{tex}");
+    }
+    assert_ne!(verdict_under(symbols, "'x = 0'", "x^a = 5 x^a"), Verdict::Proved);
+}
+
+#[test]
 fn what_is_said_to_be_finite_is_so_for_all_letters() {
     let real = "parameters = ['a', 'x']";
     for tex in [

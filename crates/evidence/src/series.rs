@@ -46,7 +46,8 @@ pub fn series<V: Value>(is_sum: bool, first: i64, at: &mut Body<V>) -> Option<Es
         };
         all.value = all.value + next.clone();
         all.size += next_size;
-        small = match next.size() <= negligible * all.size {
+        // terms that are 0 before any other tell nothing
+        small = match all.size > 0.0 && next.size() <= negligible * all.size {
             true => small + 1,
             false => 0,
         };
@@ -65,6 +66,13 @@ pub fn series<V: Value>(is_sum: bool, first: i64, at: &mut Body<V>) -> Option<Es
         if terms.len() == most && !falls_fast(&terms) {
             break;
         }
+    }
+    if terms.is_empty() {
+        return Some(Estimate {
+            error: 0.0,
+            value: all.value,
+            size: all.size,
+        });
     }
     terms.truncate(most);
     sums.truncate(most);
