@@ -47,7 +47,7 @@ pub fn series<V: Value>(is_sum: bool, first: i64, at: &mut Body<V>) -> Option<Es
         all.value = all.value + next.clone();
         all.size += next_size;
         // terms that are 0 before any other tell nothing
-        small = match all.size > 0.0 && next.size() <= negligible * all.size {
+        small = match !terms.is_empty() && next.size() <= negligible * all.size {
             true => small + 1,
             false => 0,
         };
