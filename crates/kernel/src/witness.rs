@@ -1246,7 +1246,7 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// Whether a term is another one at another index.
+    /// Returns true if a term is another one at another index.
     fn runs(&self, term: Term) -> bool {
         let mut symbols = self.statement.symbols_in(term).into_iter();
         symbols.any(|symbol| match self.statement.quantity(symbol) {

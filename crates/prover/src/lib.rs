@@ -423,7 +423,7 @@ impl<'a> Search<'a> {
             return None;
         }
         let statements = self.statements(sheet, position).ok()?;
-        let (mut shown, mut holding) = (Vec::new(), Vec::new());
+        let mut shown: Vec<(Decision, Equation)> = Vec::new();
         let (mut is_open, mut is_undefined) = (false, false);
         for case in sign_cases(&open, &statements, &sheet.symbols) {
             let part = format!("where {case}");
@@ -432,10 +432,7 @@ impl<'a> Search<'a> {
             let is_case = decision.verdict == Verdict::Proved || !self.is_contradictory(sheet, position);
             self.cases.pop();
             match decision.verdict {
-                Verdict::Proved => {
-                    shown.push(decision);
-                    holding.push(case);
-                }
+                Verdict::Proved => shown.push((decision, case)),
                 Verdict::Refuted if !decision.is_vacuous => {
                     let values: Vec<(Name, Rational)> = number_in(&case, &sheet.symbols).into_iter().collect();
                     let mut decision = decision.in_part(&part).with(&values);
@@ -453,13 +450,12 @@ impl<'a> Search<'a> {
             return None;
         }
         // conditions of different cases do not add up to one: where it holds without any is said
-        if shown.iter().any(|own| own.provided.is_empty()) && shown.iter().any(|own| !own.provided.is_empty()) {
-            let is_bare: Vec<bool> = shown.iter().map(|own| own.provided.is_empty()).collect();
-            let mut of_case = is_bare.iter();
-            holding.retain(|_| of_case.next() == Some(&true));
-            shown.retain(|own| own.provided.is_empty());
+        let is_bare = |(own, _): &(Decision, Equation)| own.provided.is_empty();
+        if shown.iter().any(is_bare) && !shown.iter().all(is_bare) {
+            shown.retain(is_bare);
             is_undefined = true;
         }
+        let (shown, holding): (Vec<Decision>, Vec<Equation>) = shown.into_iter().unzip();
         let mut decision = Decision {
             reason: self.reason.clone(),
             ..self.start.clone()

@@ -1,12 +1,12 @@
 //! A question about numbers, decided: a proof or a counterexample that the kernel accepts. Points come before proofs.
 //!
-//! What is proved or refuted here is a value that the kernel made. That givens contradict each other rests on the kernel too, but
+//! Each proof and each refutation is a value that the kernel made. That givens contradict each other rests on the kernel too, but
 //! is said by `without_points` alone.
 
 use super::budget::{Budget, CONTRADICTION_STEPS, Depth, PROOF_STEPS, QUICK_STEPS};
 use super::{point, proof, small_numbers};
 
-/// What came of a question.
+/// The decision on a question.
 pub(super) enum Outcome {
     Proved(
         kernel::Proved,
@@ -127,7 +127,7 @@ pub(super) fn points(
     Some((witness, found?))
 }
 
-/// What is to be said where all that is given, with the domain of the claim, contradicts itself.
+/// The outcome where all that is given, with the domain of the claim, contradicts itself.
 fn without_points(statement: &kernel::Statement, effort: u64) -> Option<Outcome> {
     let budget = CONTRADICTION_STEPS * effort;
     let certificate = proof::contradiction(statement, budget).filter(|found| kernel::contradicts(found).is_ok())?;

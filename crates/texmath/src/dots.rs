@@ -22,7 +22,7 @@ use std::ops::RangeInclusive;
 /// The numbers at which a law may start or end.
 const STARTS: RangeInclusive<i64> = -9..=20;
 
-/// How far an index at which a law ends may be from a letter.
+/// The differences between the index at which a law ends and a letter or number of the last term.
 const OFFSETS: RangeInclusive<i64> = -3..=3;
 
 /// The sets of numbers for letters at which terms are compared.

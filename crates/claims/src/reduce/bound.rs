@@ -14,7 +14,7 @@ use texmath::{
     rewrite_equation,
 };
 
-/// How near to its point, as 1/FAR, or how far out what is said of the letter of a limit is looked at.
+/// The letter of a limit is looked at 1/FAR from its point, or this far out.
 const FAR: i64 = 1_000_000;
 
 /// Returns the statements with each bound letter renamed of which something is declared, assumed or written elsewhere, and the

@@ -2,7 +2,7 @@
 //! and e^u is positive and at least 1 + u (DLMF 4.5.9 and 4.21). Powers of positive numbers are positive. What holds for all such letters holds
 //! for the values.
 
-use super::build::{integer, plain, sum, symbol};
+use super::build::{integer, plain, related, sum, symbol};
 use super::{Goal, Rule, fresh, has_operation, trees};
 use std::collections::BTreeSet;
 use texmath::{Condition, Equation, Name, Relation, Tree, any, mapped, names_in};
@@ -18,13 +18,6 @@ enum Bounded {
     Exponential(Tree),
     /// A power of a base which is positive, with an integer for its exponent.
     Positive(Tree),
-}
-
-fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
-    Equation {
-        relation,
-        ..Equation::between(left, right)
-    }
 }
 
 fn kind(node: &Tree, goal: &Goal) -> Option<Bounded> {
@@ -49,7 +42,7 @@ fn kind(node: &Tree, goal: &Goal) -> Option<Bounded> {
 
 /// The bounds of a value.
 fn bounds_of(bounded: Bounded, value: &Tree) -> Vec<Equation> {
-    let to = |kind: Relation, bound: Tree| relation(value.clone(), kind, bound);
+    let to = |kind: Relation, bound: Tree| related(value.clone(), kind, bound);
     match bounded {
         Bounded::Wave => vec![
             to(Relation::GreaterOrEqual, integer(-1)),
@@ -100,7 +93,7 @@ pub(super) fn ways(goal: &Goal, in_letter: &dyn Fn(&Goal, &Name) -> Vec<Vec<Goal
         symbols.let_be_parameter(&name, false);
         if let Bounded::Positive(base) = &bounded {
             let mut alone = goal.statements.clone().by(Rule::InequalityBounds);
-            alone.claims = vec![relation(base.clone(), Relation::Greater, integer(0))];
+            alone.claims = vec![related(base.clone(), Relation::Greater, integer(0))];
             lemmas.push(Goal::of(
                 &alone,
                 &goal.symbols,
@@ -142,7 +135,7 @@ mod tests {
         symbols.declare(n.clone(), texmath::Meaning::Integer);
         let goals = |left: Tree| {
             let statements = Statements {
-                claims: vec![relation(left, Relation::LessOrEqual, integer(1))],
+                claims: vec![related(left, Relation::LessOrEqual, integer(1))],
                 ..Statements::default()
             };
             ways(&Goal::of(&statements, &symbols, String::new()), &|_, _| Vec::new())

@@ -1,12 +1,36 @@
 //! Trees built with the least that is needed: nothing is simplified but zeros and ones.
 
 use numbers::{Field, Rational};
-use texmath::{At, Name, Operation, Tree};
+use texmath::{At, Equation, Name, Operation, Relation, Series, Tree};
 
 pub(super) fn integer(value: i64) -> Tree {
     match value < 0 {
         true => Tree::Negate(Box::new(Tree::Number(Rational::from_integer(-value)))),
         false => Tree::Number(Rational::from_integer(value)),
+    }
+}
+
+pub(super) fn related(left: Tree, relation: Relation, right: Tree) -> Equation {
+    Equation {
+        relation,
+        ..Equation::between(left, right)
+    }
+}
+
+/// The term of a sum, its index, and where this starts and ends.
+pub(super) fn summand(node: &Tree) -> Option<(&Tree, &Name, [&Tree; 2])> {
+    let Tree::Operation(operation, _) = node else {
+        return None;
+    };
+    match &**operation {
+        Operation::Series {
+            kind: Series::Sum,
+            of,
+            index,
+            from,
+            to,
+        } => Some((of, index, [from, to])),
+        _ => None,
     }
 }
 

@@ -1,18 +1,11 @@
 //! What must hold for a formula to have a value.
 
 use super::super::premise::Statements;
-use super::build::{integer, plain};
+use super::build::{integer, plain, related};
 use super::derivative::mentions;
 use super::factorial::{DOUBLE_FACTORIAL, FACTORIAL};
 use numbers::{Field, Rational};
 use texmath::{Condition, Elementary, Equation, Name, Operation, Relation, Symbols, Tree, number_of};
-
-fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
-    Equation {
-        relation,
-        ..Equation::between(left, right)
-    }
-}
 
 /// The conditions, together sufficient, under which a tree of real numbers has a value.
 pub(super) fn conditions(tree: &Tree, symbols: &Symbols) -> Result<Vec<Equation>, String> {
@@ -37,7 +30,7 @@ fn nonzero(tree: &Tree, found: &mut Vec<Equation>) {
         Tree::Product(factors) => factors.iter().for_each(|factor| nonzero(factor, found)),
         Tree::Negate(inner) | Tree::Power(inner, 1.., _) => nonzero(inner, found),
         Tree::Number(value) if *value != Rational::from_integer(0) => {}
-        tree => found.push(relation(tree.clone(), Relation::NotEqual, integer(0))),
+        tree => found.push(related(tree.clone(), Relation::NotEqual, integer(0))),
     }
 }
 
@@ -70,7 +63,7 @@ fn collect(
         Tree::Root(radicand, index, _) => {
             collect(radicand, symbols, is_smooth, found)?;
             if index % 2 == 0 {
-                found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, zero()));
+                found.push(related((**radicand).clone(), Relation::GreaterOrEqual, zero()));
             }
         }
         Tree::RealPower(base, exponent, _) => {
@@ -88,16 +81,16 @@ fn collect(
                 base => number_of(base).is_some_and(|value| value != Rational::from_integer(0)),
             };
             if is_whole && !is_positive && !is_nonzero {
-                found.push(relation((**exponent).clone(), Relation::GreaterOrEqual, zero()));
+                found.push(related((**exponent).clone(), Relation::GreaterOrEqual, zero()));
             } else if !is_whole && !is_positive {
-                found.push(relation((**base).clone(), Relation::Greater, zero()));
+                found.push(related((**base).clone(), Relation::Greater, zero()));
             }
         }
         Tree::Call(name, argument, _) => {
             collect(argument, symbols, is_smooth, found)?;
             match (name.base.as_str(), Elementary::named(name)) {
                 (FACTORIAL | DOUBLE_FACTORIAL, _) => {
-                    found.push(relation((**argument).clone(), Relation::GreaterOrEqual, zero()));
+                    found.push(related((**argument).clone(), Relation::GreaterOrEqual, zero()));
                 }
                 (_, Some(function)) if !function.is_part() => found.extend(function.domain(argument)),
                 _ if is_smooth(name) => {}
@@ -158,7 +151,7 @@ pub(super) fn necessary(tree: &Tree, found: &mut Vec<Equation>) {
         Tree::Quotient(_, below, _) => nonzero(below, found),
         Tree::Power(base, ..=-1, _) => nonzero(base, found),
         Tree::Root(radicand, index, _) if index % 2 == 0 => {
-            found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, integer(0)));
+            found.push(related((**radicand).clone(), Relation::GreaterOrEqual, integer(0)));
         }
         Tree::Call(name, argument, _) => {
             let function = Elementary::named(name).filter(|function| !function.is_part());

@@ -1,7 +1,7 @@
 //! Sums to infinity with an index of their own, and claims about their terms at each index.
 
 use super::super::premise::Statements;
-use super::build::{infinity, integer, negative, sum, symbol};
+use super::build::{infinity, integer, negative, sum, summand, symbol};
 use super::cases::is_absolute;
 use super::derivative::mentions;
 use super::germ::End;
@@ -27,35 +27,15 @@ pub(super) struct Endless {
 
 /// The term of a sum to infinity, its index and where it starts.
 fn parts(node: &Tree) -> Option<(&Tree, &Name, &Tree)> {
-    let Tree::Operation(operation, _) = node else {
-        return None;
-    };
-    match &**operation {
-        Operation::Series {
-            kind: Series::Sum,
-            of,
-            index,
-            from,
-            to,
-        } => infinity(to).map(|_| (of, index, from)),
-        _ => None,
-    }
+    let (of, index, [from, to]) = summand(node)?;
+    infinity(to).map(|_| (of, index, from))
 }
 
 /// Returns a sum from minus infinity on as a sum to infinity, or as two of them, each of which must have a value; None for
 /// other trees.
 pub(super) fn from_below(node: &Tree) -> Option<Tree> {
-    let Tree::Operation(operation, at) = node else {
-        return None;
-    };
-    let Operation::Series {
-        kind: Series::Sum,
-        of,
-        index,
-        from,
-        to,
-    } = &**operation
-    else {
+    let (of, index, [from, to]) = summand(node)?;
+    let Tree::Operation(_, at) = node else {
         return None;
     };
     (infinity(from) == Some(false)).then_some(())?;

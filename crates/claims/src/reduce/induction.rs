@@ -94,7 +94,7 @@ pub(super) struct Moving {
 /// The goals of an induction.
 #[derive(Default)]
 pub(super) struct Induction {
-    /// What must hold for the values of integrals at the first numbers.
+    /// The claims that must hold for the values of integrals at the first numbers.
     pub lemmas: Vec<Goal>,
     /// The claim with integrals at the first numbers, where it is its values alone.
     pub necessary: Vec<Goal>,
@@ -406,7 +406,7 @@ fn over(
 }
 
 /// An integral whose integrand depends on the letter, and what ties it to the next one.
-type Tied = (Moving, Equation);
+type MovingIntegral = (Moving, Equation);
 
 /// The integrals of the claims that depend on the integer, each with an equation that ties it to its next value, and the goals
 /// that show it from one later than the first value on.
@@ -416,7 +416,7 @@ fn tied_integrals(
     letter: &Name,
     first: i64,
     proposals: &dyn Proposals,
-) -> Result<(Vec<Tied>, Vec<Goal>), String> {
+) -> Result<(Vec<MovingIntegral>, Vec<Goal>), String> {
     let mut later = statements.clone();
     later.assume.push(Condition::Relation(Equation {
         relation: Relation::GreaterOrEqual,
@@ -427,7 +427,7 @@ fn tied_integrals(
         let own = [&claim.left, &claim.right].into_iter().flat_map(outermost);
         operations.extend(own);
     }
-    let (mut found, mut goals): (Vec<(Moving, Equation)>, Vec<Goal>) = (Vec::new(), Vec::new());
+    let (mut found, mut goals): (Vec<MovingIntegral>, Vec<Goal>) = (Vec::new(), Vec::new());
     for operation in operations {
         if found.iter().any(|(known, _)| known.operation == operation) {
             continue;

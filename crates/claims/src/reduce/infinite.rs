@@ -7,7 +7,7 @@
 //! conditions under which the rows converge and what the limit needs are lemmas.
 
 use super::super::premise::Statements;
-use super::build::{difference, infinity, integer, is_zero, product, quotient, sum, symbol};
+use super::build::{difference, infinity, integer, is_zero, product, quotient, related, sum, symbol};
 use super::derivative::mentions;
 use super::endless::{Endless, from_below};
 use super::germ::End;
@@ -301,13 +301,6 @@ fn within_bounds(mut statements: Statements, letters: &[Name], symbols: &Symbols
     let half = |name: &Name| letters.contains(name).then(|| quotient(integer(1), integer(2)));
     let refuted = rewritten(&statements, Rule::SeriesTest, &|tree| rewrite(tree, &half));
     (refuted, Some(Goal::of(&lemma, symbols, part)))
-}
-
-fn related(left: Tree, relation: Relation, right: Tree) -> Equation {
-    Equation {
-        relation,
-        ..Equation::between(left, right)
-    }
 }
 
 fn assume(statements: &mut Statements, known: &[Equation]) {

@@ -405,7 +405,7 @@ pub(super) fn tied(
     let lemmas = definite.lemmas(Rule::IntegralReductionFormula, about, conditions, Vec::new())?;
     let value = definite.by_antiderivative(&whole, lemmas)?;
     let is_nowhere = |node: &Tree| matches!(node, Tree::Quotient(_, below, _) if is_zero(below));
-    if any(&value.tree, &mut |node| is_nowhere(node)) {
+    if infinity(&value.tree).is_some() || any(&value.tree, &mut |node| is_nowhere(node)) {
         return Err("a reduction formula with an infinite value at an end".to_owned());
     }
     let [own, next] = names.map(symbol);

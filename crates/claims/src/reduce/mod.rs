@@ -274,13 +274,13 @@ fn without_operations(
     Ok(Some(in_each_case(&statements, symbols, proposals)?.after(lemmas)))
 }
 
-/// What a claim comes to, itself where it is about numbers.
+/// Reduces a claim; one about numbers comes to itself.
 fn or_itself(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Result<Reduced, String> {
     let reduced = without_operations(statements, symbols, proposals)?;
     Ok(reduced.unwrap_or_else(|| Reduced::itself(Goal::of(statements, symbols, String::new()))))
 }
 
-/// What a claim comes to whose sums to infinity have been replaced.
+/// Reduces a claim whose sums to infinity have been replaced.
 fn of_sums(summed: infinite::Summed, proposals: &dyn Proposals) -> Result<Reduced, String> {
     let symbols = &summed.symbols;
     let mut reduced = or_itself(&summed.statements, symbols, proposals)?;
@@ -345,7 +345,7 @@ fn with_values(
     Ok((statements, lemmas))
 }
 
-/// What a claim comes to in each of its cases.
+/// Reduces a claim in each of its cases.
 fn in_each_case(statements: &Statements, symbols: &Symbols, proposals: &dyn Proposals) -> Result<Reduced, String> {
     let mut goals = Vec::new();
     let split = cases::split(statements, symbols)?;

@@ -3,7 +3,7 @@
 //! negative and whose square is a.
 
 use super::super::premise::Statements;
-use super::build::{call, integer, negative, plain, power, sum};
+use super::build::{call, integer, negative, plain, power, related, sum};
 use super::integral::terms;
 use super::{Goal, Rule};
 use texmath::{Condition, Elementary, Equation, Relation, Symbols, Tree, any};
@@ -21,13 +21,6 @@ struct Meaning {
 /// The largest index of a root whose power is written out.
 const HIGHEST: u32 = 12;
 
-fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
-    Equation {
-        relation,
-        ..Equation::between(left, right)
-    }
-}
-
 fn is_root(tree: &Tree) -> Option<(&Tree, u32)> {
     match tree {
         Tree::Root(radicand, index, _) => Some((radicand, *index)),
@@ -39,7 +32,7 @@ fn is_root(tree: &Tree) -> Option<(&Tree, u32)> {
 fn meaning(tree: &Tree, value: &Tree) -> Option<Meaning> {
     if let Some((radicand, index)) = is_root(tree) {
         let is_even = index % 2 == 0;
-        let signs = |tree: &Tree| relation(tree.clone(), Relation::GreaterOrEqual, integer(0));
+        let signs = |tree: &Tree| related(tree.clone(), Relation::GreaterOrEqual, integer(0));
         return (index <= HIGHEST).then(|| Meaning {
             equation: Equation::between(
                 power(value.clone(), i32::try_from(index).unwrap_or(0)),
@@ -91,7 +84,7 @@ pub(super) fn ways(statements: &Statements, symbols: &Symbols, claim: &Equation)
     let sides = [&claim.left, &claim.right];
     if claim.relation == Relation::Equal && sides.into_iter().any(|side| any(side, &mut |node| is_even(node))) {
         // numbers that are not negative are equal where their squares are
-        let signs = sides.map(|side| relation(side.clone(), Relation::GreaterOrEqual, integer(0)));
+        let signs = sides.map(|side| related(side.clone(), Relation::GreaterOrEqual, integer(0)));
         let squares = sides.map(|side| power(side.clone(), 2));
         let [left, right] = squares;
         ways.push(goals(
@@ -129,7 +122,7 @@ pub(super) fn ways(statements: &Statements, symbols: &Symbols, claim: &Equation)
                 (false, false) => Relation::GreaterOrEqual,
                 (false, true) => Relation::Greater,
             };
-            let squares = relation(meaning.equation.left, kind, meaning.equation.right);
+            let squares = related(meaning.equation.left, kind, meaning.equation.right);
             let signs = if is_larger { Vec::new() } else { meaning.range };
             ways.push(goals(signs.into_iter().chain([squares]).collect(), &meaning.domain));
         }

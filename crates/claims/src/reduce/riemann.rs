@@ -4,12 +4,12 @@
 //! That f is this function, that it is continuous and that all terms have a value are lemmas.
 
 use super::super::premise::Statements;
-use super::build::{infinity, integer, negative, product, quotient, sum, symbol};
+use super::build::{infinity, integer, negative, product, quotient, sum, summand, symbol};
 use super::derivative::mentions;
 use super::integers::whole;
 use super::limit::carried;
 use super::{Goal, Rule, defined, factorial, fresh, has_operation, is_spoken_of, rewritten, trees};
-use texmath::{Condition, Equation, Name, Operation, Relation, Series, Symbols, Tree, mapped, rewrite};
+use texmath::{Condition, Equation, Name, Operation, Relation, Symbols, Tree, mapped, rewrite};
 
 /// A sum whose length grows with a letter.
 struct RiemannSum<'a> {
@@ -158,22 +158,15 @@ impl<'a> RiemannSum<'a> {
                 own
             })
         };
+        if let Some((of, index, [from, to])) = summand(tree) {
+            return Some(Self {
+                term: of.clone(),
+                index,
+                from,
+                to,
+            });
+        }
         match tree {
-            Tree::Operation(operation, _) => match &**operation {
-                Operation::Series {
-                    kind: Series::Sum,
-                    of,
-                    index,
-                    from,
-                    to,
-                } => Some(Self {
-                    term: of.clone(),
-                    index,
-                    from,
-                    to,
-                }),
-                _ => None,
-            },
             Tree::Negate(inner) => scaled(Self::of(inner, symbols)?, &negative, &[]),
             Tree::Quotient(above, below, _) => {
                 let by = |term: Tree| quotient(term, (**below).clone());

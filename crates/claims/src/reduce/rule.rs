@@ -42,7 +42,7 @@ pub enum Rule {
     ValueRelations,
     /// A limit is read off a power series.
     LimitSeries,
-    /// What is below infinity has a value, and what has one is not infinite.
+    /// A claim that something is below infinity says that it has a value; something with a value is not infinite.
     Infinity,
     /// `O(x^n)` is read off a power series.
     OrderSeries,

@@ -13,7 +13,7 @@
 //!
 //! A search proposes the test and the bounds. That its conditions hold, and that the bounds are ones, are lemmas.
 
-use super::build::{difference, integer, is_zero, negative, product, quotient, real_power, sum, symbol};
+use super::build::{difference, integer, is_zero, negative, product, quotient, real_power, related, sum, symbol};
 use super::derivative::By;
 use super::endless::Endless;
 use super::evaluate::evaluated;
@@ -76,13 +76,6 @@ pub(super) enum Tested {
 
 /// Bounds of the sum of terms from an index on; None where it is infinite.
 type Rest = Option<[Tree; 2]>;
-
-fn related(left: Tree, relation: Relation, right: Tree) -> Equation {
-    Equation {
-        relation,
-        ..Equation::between(left, right)
-    }
-}
 
 /// The sum by a test that is proposed.
 pub(super) fn tested(sum: &Endless, proposals: &dyn Proposals, lemmas: &mut Vec<Goal>) -> Result<Tested, String> {

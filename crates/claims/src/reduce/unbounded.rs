@@ -1,4 +1,4 @@
-//! Claims with an infinite side: `= \\infty` of what grows without bound, and `< \\infty` of what has a value.
+//! Claims with an infinite side: `= \infty` of what grows without bound, and `< \infty` of what has a value.
 
 use super::super::premise::Statements;
 use super::build::{infinity, integer, negative, quotient, sum};
@@ -66,7 +66,7 @@ fn beside_infinity(claim: &Equation) -> Option<(&Tree, bool)> {
 }
 
 impl Statements {
-    /// Returns true if the claims say of something that it has a value: a way of an equivalence does, and `< \\infty` of a sum.
+    /// Returns true if the claims say of something that it has a value: a way of an equivalence does, and `< \infty` of a sum.
     pub fn assert_values(&self) -> bool {
         self.is_way
             || self.rules.contains(&Rule::Infinity)

@@ -145,7 +145,7 @@ impl Field {
         Some(all.into_iter().map(|(monomial, _)| monomial).collect())
     }
 
-    /// What the coefficients are multiplied by in the equation for them, and its right side, which is taken times the letters that
+    /// Returns the factors of the coefficients in the equation for them, and its right side, which is taken times the letters that
     /// stand below the integrand.
     fn columns(
         &self,
