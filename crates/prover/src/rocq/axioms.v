@@ -874,3 +874,652 @@ Proof. intros x H. differentiate. Qed.
 Example differentiate_9 : forall (F f : R -> R) (x : R), is_derive F x (f x) -> F x > 0 ->
   is_derive (fun t => ln (F t) + powerRZ (F t) (-2)) x (f x / F x - 2 * f x / F x ^ 3).
 Proof. intros F f x D H. differentiate. Qed.
+
+(* Complex numbers: principal values of logarithms, roots, powers and inverse functions. *)
+
+Local Open Scope C_scope.
+
+Definition creal (x : C) : Prop := Im x = 0%R.
+Definition cpositive (x : C) : Prop := Im x = 0%R /\ (Re x > 0)%R.
+Definition cnonneg (x : C) : Prop := Im x = 0%R /\ (Re x >= 0)%R.
+Definition cinteger (x : C) : Prop := exists z : Z, x = RtoC (IZR z).
+
+Definition cexp (z : C) : C := (exp (Re z) * cos (Im z), exp (Re z) * sin (Im z))%R.
+Definition csin (z : C) : C := (sin (Re z) * cosh (Im z), cos (Re z) * sinh (Im z))%R.
+Definition ccos (z : C) : C := (cos (Re z) * cosh (Im z), - (sin (Re z) * sinh (Im z)))%R.
+
+Definition carg (z : C) : R :=
+  (if Rle_dec 0 (Im z) then acos (Re z / Cmod z) else - acos (Re z / Cmod z))%R.
+
+Definition cln (z : C) : C := (ln (Cmod z), carg z).
+
+Definition croot (n : nat) (z : C) : C :=
+  if Ceq_dec z 0 then RtoC 0 else cexp (cln z / INR n).
+
+Fixpoint cpown (z : C) (n : nat) : C :=
+  match n with
+  | O => RtoC 1
+  | S m => z * cpown z m
+  end.
+
+Definition cpowz (z : C) (k : Z) : C :=
+  match k with
+  | Z0 => RtoC 1
+  | Zpos p => cpown z (Pos.to_nat p)
+  | Zneg p => / cpown z (Pos.to_nat p)
+  end.
+
+Definition cpow (x y : C) : C :=
+  if Ceq_dec y (IZR (Int_part (Re y))) then cpowz x (Int_part (Re y))
+  else if Ceq_dec x 0 then RtoC 0
+  else cexp (y * cln x).
+
+Definition casin (z : C) : C := - Ci * cln (Ci * z + croot 2 (1 - z * z)).
+Definition cacos (z : C) : C := RtoC (PI / 2) - casin z.
+Definition catan (z : C) : C := Ci / 2 * (cln (1 - Ci * z) - cln (1 + Ci * z)).
+
+Ltac parts := apply injective_projections; unfold Re, Im; simpl.
+
+(* Real numbers among the complex ones. *)
+
+Lemma creal_RtoC : forall x : C, creal x -> x = RtoC (Re x).
+Proof. intros [a b] H. unfold creal, Im in H. simpl in H. rewrite H. reflexivity. Qed.
+
+Lemma cpositive_RtoC : forall x : C, cpositive x -> exists r : R, x = RtoC r /\ (r > 0)%R.
+Proof. intros x [H P]. exists (Re x). split; [now apply creal_RtoC | exact P]. Qed.
+
+Lemma cnonneg_RtoC : forall x : C, cnonneg x -> exists r : R, x = RtoC r /\ (r >= 0)%R.
+Proof. intros x [H P]. exists (Re x). split; [now apply creal_RtoC | exact P]. Qed.
+
+Lemma RtoC_cpositive : forall r : R, (r > 0)%R -> cpositive (RtoC r).
+Proof. intros r H. now split. Qed.
+
+Lemma RtoC_cnonneg : forall r : R, (r >= 0)%R -> cnonneg (RtoC r).
+Proof. intros r H. now split. Qed.
+
+Lemma RtoC_creal : forall r : R, creal (RtoC r).
+Proof. intro r. reflexivity. Qed.
+
+Lemma integer_cinteger : forall r : R, integer r -> cinteger (RtoC r).
+Proof. intros r [z ->]. now exists z. Qed.
+
+Lemma RtoC_neq : forall x : R, x <> 0%R -> RtoC x <> 0.
+Proof. intros x H F. apply H, RtoC_inj, F. Qed.
+
+Lemma cexp_R : forall x : R, cexp (RtoC x) = RtoC (exp x).
+Proof. intro x. parts; rewrite ?cos_0, ?sin_0; ring. Qed.
+
+Lemma csin_R : forall x : R, csin (RtoC x) = RtoC (sin x).
+Proof. intro x. parts; rewrite ?cosh_0, ?sinh_0; ring. Qed.
+
+Lemma ccos_R : forall x : R, ccos (RtoC x) = RtoC (cos x).
+Proof. intro x. parts; rewrite ?cosh_0, ?sinh_0; ring. Qed.
+
+(* Exponential function, sines and cosines. *)
+
+Lemma C_ImaginarySquare : cpown Ci 2 = RtoC (-1).
+Proof. parts; ring. Qed.
+
+Lemma C_ExpOfImaginary : forall x : C, cexp (Ci * x) = ccos x + Ci * csin x.
+Proof.
+  intros [a b]. unfold cexp, ccos, csin, cosh, sinh. parts;
+    replace (0 * a - 1 * b)%R with (- b)%R by ring; replace (0 * b + 1 * a)%R with a by ring; field.
+Qed.
+
+Lemma C_Pythagoras : forall x : C, cpown (csin x) 2 + cpown (ccos x) 2 = 1.
+Proof.
+  intros [a b].
+  assert (E : (exp b * exp (- b) = 1)%R) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+  generalize (Pythagoras a). intro P.
+  unfold csin, ccos, cosh, sinh. parts; [| field].
+  transitivity ((sin a ^ 2 + cos a ^ 2) * (exp b * exp (- b)))%R; [simpl; field | rewrite P, E; ring].
+Qed.
+
+Lemma C_SineOfSum : forall s a b : C, s = a + b -> csin s = csin a * ccos b + ccos a * csin b.
+Proof.
+  intros s [a1 a2] [b1 b2] ->. unfold csin, ccos, cosh, sinh. parts;
+    rewrite ?sin_plus, ?cos_plus, ?Ropp_plus_distr, ?exp_plus; field.
+Qed.
+
+Lemma C_CosineOfSum : forall s a b : C, s = a + b -> ccos s = ccos a * ccos b - csin a * csin b.
+Proof.
+  intros s [a1 a2] [b1 b2] ->. unfold csin, ccos, cosh, sinh. parts;
+    rewrite ?sin_plus, ?cos_plus, ?Ropp_plus_distr, ?exp_plus; field.
+Qed.
+
+Lemma C_SineOfNegative : forall s a : C, s = - a -> csin s = - csin a.
+Proof.
+  intros s [a b] ->. unfold csin, cosh, sinh. parts; rewrite ?sin_neg, ?cos_neg, ?Ropp_involutive; field.
+Qed.
+
+Lemma C_CosineOfNegative : forall s a : C, s = - a -> ccos s = ccos a.
+Proof.
+  intros s [a b] ->. unfold ccos, cosh, sinh. parts; rewrite ?sin_neg, ?cos_neg, ?Ropp_involutive; field.
+Qed.
+
+Lemma C_SineOfZero : forall s : C, s = 0 -> csin s = 0.
+Proof. intros s ->. rewrite csin_R. f_equal. apply sin_0. Qed.
+
+Lemma C_CosineOfZero : forall s : C, s = 0 -> ccos s = 1.
+Proof. intros s ->. rewrite ccos_R. f_equal. apply cos_0. Qed.
+
+Lemma C_SineOfPi : csin PI = 0.
+Proof. rewrite csin_R. f_equal. apply sin_PI. Qed.
+
+Lemma C_CosineOfPi : ccos PI = RtoC (-1).
+Proof. rewrite ccos_R. f_equal. apply cos_PI. Qed.
+
+Lemma C_ExpOfSum : forall s a b : C, s = a + b -> cexp s = cexp a * cexp b.
+Proof.
+  intros s [a1 a2] [b1 b2] ->. parts; rewrite ?exp_plus, ?cos_plus, ?sin_plus; ring.
+Qed.
+
+Lemma C_ExpOfZero : forall s : C, s = 0 -> cexp s = 1.
+Proof. intros s ->. rewrite cexp_R. f_equal. apply exp_0. Qed.
+
+Lemma C_ExpNonzero : forall x : C, cexp x <> 0.
+Proof.
+  intros x F.
+  assert (H : cexp x * cexp (- x) = 1).
+  { rewrite <- (C_ExpOfSum (x + - x)) by reflexivity. apply C_ExpOfZero. ring. }
+  rewrite F, Cmult_0_l in H. injection H. lra.
+Qed.
+
+Lemma C_SineOfHalfTurns : forall n : C, cinteger n -> csin (RtoC PI * n) = 0.
+Proof.
+  intros n [z ->]. rewrite <- RtoC_mult, csin_R. f_equal. apply SineOfHalfTurns. now exists z.
+Qed.
+
+Lemma C_CosineOfTurns : forall n : C, cinteger n -> ccos (RtoC 2 * RtoC PI * n) = 1.
+Proof.
+  intros n [z ->]. rewrite <- !RtoC_mult, ccos_R. f_equal. apply CosineOfTurns. now exists z.
+Qed.
+
+Lemma C_SinePositive : forall x : C, creal x -> cpositive x -> cpositive (RtoC PI - x) -> cpositive (csin x).
+Proof.
+  intros x R [_ P] [_ Q]. rewrite (creal_RtoC x R) in *. rewrite csin_R. apply RtoC_cpositive.
+  unfold Re in P, Q. simpl in P, Q. apply SinePositive; [exact P | unfold Re; lra].
+Qed.
+
+Lemma C_AngleUnique : forall a b : C, creal a -> creal b -> csin a = csin b -> ccos a = ccos b ->
+  cpositive (RtoC 2 * RtoC PI - (a - b)) -> cpositive (RtoC 2 * RtoC PI + (a - b)) -> a = b.
+Proof.
+  intros a b A B S K [_ P] [_ Q].
+  rewrite (creal_RtoC a A), (creal_RtoC b B) in *.
+  rewrite !csin_R in S. rewrite !ccos_R in K. apply RtoC_inj in S. apply RtoC_inj in K.
+  unfold Re in *. simpl in *.
+  f_equal. apply AngleUnique; try assumption; lra.
+Qed.
+
+Lemma C_ExpPositive : forall x : C, creal x -> cpositive (cexp x).
+Proof. intros x R. rewrite (creal_RtoC x R), cexp_R. apply RtoC_cpositive, exp_pos. Qed.
+
+Lemma C_ExpInjective : forall a b : C, creal a -> creal b -> cexp a = cexp b -> a = b.
+Proof.
+  intros a b A B E. rewrite (creal_RtoC a A), (creal_RtoC b B) in *.
+  rewrite !cexp_R in E. apply RtoC_inj in E. f_equal. now apply exp_inv.
+Qed.
+
+(* The principal argument. *)
+
+Lemma Cmod_square : forall z : C, (Cmod z * Cmod z = Re z ^ 2 + Im z ^ 2)%R.
+Proof. intros [a b]. apply sqrt_sqrt. simpl. nra. Qed.
+
+Lemma carg_cos : forall z : C, z <> 0 -> (Cmod z * cos (carg z) = Re z)%R.
+Proof.
+  intros z N. assert (P : (0 < Cmod z)%R) by now apply Cmod_gt_0.
+  generalize (Cmod_square z). intro S.
+  assert (B : (-1 <= Re z / Cmod z <= 1)%R).
+  { split; [apply Rle_div_r | apply Rle_div_l]; try exact P; nra. }
+  unfold carg. destruct (Rle_dec 0 (Im z)); rewrite ?cos_neg, cos_acos by exact B; field; lra.
+Qed.
+
+Lemma carg_sin : forall z : C, z <> 0 -> (Cmod z * sin (carg z) = Im z)%R.
+Proof.
+  intros z N. assert (P : (0 < Cmod z)%R) by now apply Cmod_gt_0.
+  generalize (Cmod_square z). intro S.
+  assert (B : (-1 <= Re z / Cmod z <= 1)%R).
+  { split; [apply Rle_div_r | apply Rle_div_l]; try exact P; nra. }
+  assert (Q : (Cmod z * sqrt (1 - (Re z / Cmod z)²) = Rabs (Im z))%R).
+  { rewrite <- (sqrt_Rsqr (Cmod z)) at 1 by lra. rewrite <- sqrt_mult_alt by apply Rle_0_sqr.
+    rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. field_simplify; [| lra].
+    simpl in *. lra. }
+  unfold carg. destruct (Rle_dec 0 (Im z)) as [H | H]; rewrite ?sin_neg, sin_acos by exact B.
+  - rewrite Q. now apply Rabs_pos_eq.
+  - rewrite Ropp_mult_distr_r_reverse, Q, Rabs_left; lra.
+Qed.
+
+Lemma carg_bound : forall z : C, z <> 0 -> (- PI < carg z <= PI)%R.
+Proof.
+  intros z N. unfold carg.
+  destruct (acos_bound (Re z / Cmod z)) as [H1 H2].
+  generalize PI_RGT_0. intro P.
+  destruct (Rle_dec 0 (Im z)) as [H | H]; [lra |].
+  split; [| lra].
+  destruct (Req_dec (acos (Re z / Cmod z)) PI) as [E | E]; [| lra].
+  exfalso. generalize (carg_sin z N). unfold carg.
+  destruct (Rle_dec 0 (Im z)); [contradiction |].
+  rewrite E, sin_neg, sin_PI. lra.
+Qed.
+
+Lemma carg_unique : forall (z : C) (u : R), z <> 0 -> (- PI < u <= PI)%R ->
+  (Cmod z * cos u = Re z)%R -> (Cmod z * sin u = Im z)%R -> carg z = u.
+Proof.
+  intros z u N [B1 B2] K S. assert (P : (0 < Cmod z)%R) by now apply Cmod_gt_0.
+  generalize (carg_cos z N) (carg_sin z N) (carg_bound z N). intros K' S' [B1' B2'].
+  apply AngleUnique; try lra.
+  - apply (Rmult_eq_reg_l (Cmod z)); lra.
+  - apply (Rmult_eq_reg_l (Cmod z)); lra.
+Qed.
+
+(* Logarithms. *)
+
+Lemma C_ExpOfLn : forall x : C, x <> 0 -> cexp (cln x) = x.
+Proof.
+  intros x N. assert (P : (0 < Cmod x)%R) by now apply Cmod_gt_0.
+  parts; rewrite exp_ln by exact P; [now apply carg_cos | now apply carg_sin].
+Qed.
+
+Lemma cln_cexp : forall w : C, (- PI < Im w <= PI)%R -> cln (cexp w) = w.
+Proof.
+  intros [a b] B. unfold Im in B. simpl in B.
+  assert (M : Cmod (cexp (a, b)) = exp a).
+  { unfold Cmod, cexp, Re, Im. simpl.
+    replace (exp a * cos b * (exp a * cos b * 1) + exp a * sin b * (exp a * sin b * 1))%R
+      with (exp a * exp a * (sin b ^ 2 + cos b ^ 2))%R by ring.
+    rewrite Pythagoras, Rmult_1_r. apply sqrt_square. left. apply exp_pos. }
+  unfold cln. parts.
+  - rewrite M. apply ln_exp.
+  - apply carg_unique; [apply C_ExpNonzero | exact B | rewrite M; reflexivity | rewrite M; reflexivity].
+Qed.
+
+Lemma cln_R : forall x : R, (0 < x)%R -> cln (RtoC x) = RtoC (ln x).
+Proof.
+  intros x P. rewrite <- (exp_ln x P) at 1. rewrite <- cexp_R. apply cln_cexp.
+  generalize PI_RGT_0. unfold Im. simpl. lra.
+Qed.
+
+Lemma C_LnOfExp : forall x : C, creal x -> cln (cexp x) = x.
+Proof.
+  intros x R. apply cln_cexp. unfold creal in R. rewrite R. generalize PI_RGT_0. lra.
+Qed.
+
+Lemma C_LnOfNegative : forall x : C, creal x -> cpositive x -> cln (- x) = cln x + Ci * RtoC PI.
+Proof.
+  intros x _ P. destruct (cpositive_RtoC x P) as [r [-> H]].
+  rewrite cln_R by exact H.
+  assert (E : - RtoC r = cexp (RtoC (ln r) + Ci * RtoC PI)).
+  { rewrite (C_ExpOfSum _ (RtoC (ln r)) (Ci * RtoC PI)) by reflexivity.
+    rewrite cexp_R, exp_ln, C_ExpOfImaginary, ccos_R, csin_R, cos_PI, sin_PI by exact H.
+    parts; ring. }
+  rewrite E. apply cln_cexp. unfold Im. simpl. generalize PI_RGT_0. lra.
+Qed.
+
+(* Powers with natural and integer exponents. *)
+
+Lemma cpown_add : forall (x : C) (n m : nat), cpown x (n + m) = cpown x n * cpown x m.
+Proof. intros x n m. induction n as [| n IH]; simpl; [ring | rewrite IH; ring]. Qed.
+
+Lemma cpown_mult : forall (x y : C) (n : nat), cpown (x * y) n = cpown x n * cpown y n.
+Proof. intros x y n. induction n as [| n IH]; simpl; [ring | rewrite IH; ring]. Qed.
+
+Lemma cpown_cpown : forall (x : C) (n m : nat), cpown (cpown x n) m = cpown x (n * m).
+Proof.
+  intros x n m. induction m as [| m IH]; simpl.
+  - now rewrite Nat.mul_0_r.
+  - rewrite IH, Nat.mul_succ_r, Nat.add_comm, cpown_add. reflexivity.
+Qed.
+
+Lemma cpown_one : forall n : nat, cpown 1 n = 1.
+Proof. induction n as [| n IH]; simpl; [reflexivity | rewrite IH; ring]. Qed.
+
+Lemma cpown_neq_0 : forall (x : C) (n : nat), x <> 0 -> cpown x n <> 0.
+Proof.
+  intros x n N. induction n as [| n IH]; simpl; [| now apply Cmult_neq_0].
+  apply RtoC_neq. lra.
+Qed.
+
+Lemma cpown_0 : forall n : nat, (0 < n)%nat -> cpown 0 n = 0.
+Proof. intros [| n] H; [lia | simpl; ring]. Qed.
+
+Lemma cpown_R : forall (x : R) (n : nat), cpown (RtoC x) n = RtoC (x ^ n).
+Proof. intros x n. induction n as [| n IH]; simpl; [reflexivity | rewrite IH, RtoC_mult; reflexivity]. Qed.
+
+Lemma cpown_cexp : forall (z : C) (n : nat), cpown (cexp z) n = cexp (RtoC (INR n) * z).
+Proof.
+  intros z n. induction n as [| n IH].
+  - simpl. symmetry. apply C_ExpOfZero. ring.
+  - simpl cpown. rewrite IH. symmetry. apply C_ExpOfSum. rewrite S_INR, RtoC_plus. ring.
+Qed.
+
+Lemma cinv_0 : / RtoC 0 = 0.
+Proof. parts; unfold Rdiv; ring. Qed.
+
+Lemma cinv_inv : forall x : C, / / x = x.
+Proof.
+  intro x. destruct (Ceq_dec x 0) as [-> | N]; [now rewrite !cinv_0 |].
+  assert (M : / x <> 0).
+  { intro F. generalize (Cinv_r x N). rewrite F, Cmult_0_r. intro E. injection E. lra. }
+  rewrite <- (Cmult_1_l (/ / x)), <- (Cinv_r x N), <- Cmult_assoc, (Cinv_r (/ x) M). ring.
+Qed.
+
+Lemma cinv_mult : forall x y : C, / (x * y) = / x * / y.
+Proof.
+  intros x y. destruct (Ceq_dec x 0) as [-> | N]; [rewrite Cmult_0_l, cinv_0; ring |].
+  destruct (Ceq_dec y 0) as [-> | M]; [rewrite Cmult_0_r, cinv_0; ring |].
+  field. now split.
+Qed.
+
+Lemma cpowz_nat : forall (x : C) (n : nat), cpowz x (Z.of_nat n) = cpown x n.
+Proof.
+  intros x [| n]; [reflexivity |]. simpl Z.of_nat. unfold cpowz. now rewrite SuccNat2Pos.id_succ.
+Qed.
+
+Lemma cpowz_opp : forall (x : C) (k : Z), cpowz x (- k) = / cpowz x k.
+Proof.
+  intros x [| p | p]; simpl.
+  - parts; field.
+  - reflexivity.
+  - symmetry. apply cinv_inv.
+Qed.
+
+Lemma cinv_cpown : forall (x : C) (n : nat), cpown (/ x) n = / cpown x n.
+Proof.
+  intros x n. induction n as [| n IH]; simpl; [parts; field |].
+  rewrite IH, cinv_mult. reflexivity.
+Qed.
+
+Lemma cpowz_mult : forall (x y : C) (k : Z), cpowz (x * y) k = cpowz x k * cpowz y k.
+Proof.
+  intros x y [| p | p]; simpl; [ring | apply cpown_mult | rewrite cpown_mult; apply cinv_mult].
+Qed.
+
+Lemma cpowz_neq_0 : forall (x : C) (k : Z), x <> 0 -> cpowz x k <> 0.
+Proof.
+  intros x [| p | p] N; simpl.
+  - apply RtoC_neq. lra.
+  - now apply cpown_neq_0.
+  - intro F. generalize (cpown_neq_0 x (Pos.to_nat p) N). intro M.
+    generalize (Cinv_r _ M). rewrite F, Cmult_0_r. intro E. injection E. lra.
+Qed.
+
+Lemma cpowz_cexp : forall (z : C) (k : Z), cpowz (cexp z) k = cexp (RtoC (IZR k) * z).
+Proof.
+  intros z k. destruct (Z_le_gt_dec 0 k) as [H | H].
+  - rewrite <- (Z2Nat.id k H), cpowz_nat, cpown_cexp, INR_IZR_INZ. reflexivity.
+  - replace k with (- Z.of_nat (Z.to_nat (- k)))%Z by lia.
+    set (n := Z.to_nat (- k)). rewrite cpowz_opp, cpowz_nat, cpown_cexp.
+    rewrite opp_IZR, <- INR_IZR_INZ, RtoC_opp.
+    set (w := RtoC (INR n) * z).
+    replace (- RtoC (INR n) * z) with (- w) by (unfold w; ring).
+    assert (E : cexp w * cexp (- w) = 1).
+    { rewrite <- (C_ExpOfSum (w + - w)) by reflexivity. apply C_ExpOfZero. ring. }
+    rewrite <- (Cmult_1_r (/ cexp w)), <- E, Cmult_assoc, Cinv_l by apply C_ExpNonzero.
+    ring.
+Qed.
+
+Lemma cpowz_add : forall (x : C) (a b : Z), x <> 0 -> cpowz x (a + b) = cpowz x a * cpowz x b.
+Proof.
+  intros x a b N. rewrite <- (C_ExpOfLn x N), !cpowz_cexp, plus_IZR, RtoC_plus.
+  apply C_ExpOfSum. ring.
+Qed.
+
+Lemma cpowz_nonneg_add : forall (x : C) (a b : Z), (0 <= a)%Z -> (0 <= b)%Z ->
+  cpowz x (a + b) = cpowz x a * cpowz x b.
+Proof.
+  intros x a b A B. rewrite <- (Z2Nat.id a A), <- (Z2Nat.id b B), <- Nat2Z.inj_add, !cpowz_nat.
+  apply cpown_add.
+Qed.
+
+Lemma cpowz_cpowz : forall (x : C) (a b : Z), x <> 0 -> cpowz (cpowz x a) b = cpowz x (a * b).
+Proof.
+  intros x a b N. rewrite <- (C_ExpOfLn x N), !cpowz_cexp, mult_IZR, RtoC_mult. f_equal. ring.
+Qed.
+
+Lemma cpowz_R : forall (x : R) (k : Z), x <> 0%R -> cpowz (RtoC x) k = RtoC (powerRZ x k).
+Proof.
+  intros x [| p | p] N; simpl; [reflexivity | apply cpown_R |].
+  rewrite cpown_R, RtoC_inv; [reflexivity | now apply pow_nonzero].
+Qed.
+
+Lemma cpow_IZR : forall (x : C) (z : Z), cpow x (RtoC (IZR z)) = cpowz x z.
+Proof.
+  intros x z. unfold cpow, Re. simpl fst. rewrite Int_part_IZR.
+  destruct (Ceq_dec (RtoC (IZR z)) (RtoC (IZR z))) as [_ | F]; [reflexivity | now elim F].
+Qed.
+
+(* Powers. *)
+
+Lemma C_ComplexPower : forall x y : C, x <> 0 -> cpow x y = cexp (y * cln x).
+Proof.
+  intros x y N. unfold cpow.
+  destruct (Ceq_dec y (RtoC (IZR (Int_part (Re y))))) as [E | E].
+  - rewrite E at 2. rewrite <- (C_ExpOfLn x N) at 1. apply cpowz_cexp.
+  - destruct (Ceq_dec x 0); [contradiction | reflexivity].
+Qed.
+
+Lemma C_RealPower : forall x y : C, cpositive x -> cpow x y = cexp (y * cln x).
+Proof.
+  intros x y P. apply C_ComplexPower. destruct (cpositive_RtoC x P) as [r [-> H]].
+  apply RtoC_neq. lra.
+Qed.
+
+Lemma cpow_R : forall x y : R, (0 < x)%R -> cpow (RtoC x) (RtoC y) = RtoC (rpow x y).
+Proof.
+  intros x y P. rewrite C_ComplexPower by (apply RtoC_neq; lra).
+  now rewrite cln_R, <- RtoC_mult, cexp_R, rpow_pos.
+Qed.
+
+Lemma C_IntegerPower : forall (x p : C) (n : nat), p = RtoC (INR n) -> cpow x p = cpown x n.
+Proof. intros x p n ->. rewrite INR_IZR_INZ, cpow_IZR. apply cpowz_nat. Qed.
+
+Lemma C_NegativePower : forall (x p : C) (n : nat), p = - RtoC (INR n) -> x <> 0 -> cpow x p = 1 / cpown x n.
+Proof.
+  intros x p n -> N. rewrite <- RtoC_opp, INR_IZR_INZ, <- opp_IZR, cpow_IZR, cpowz_opp, cpowz_nat.
+  unfold Cdiv. ring.
+Qed.
+
+Lemma C_PowerOfSum : forall x s a b : C, s = a + b -> cinteger a -> cinteger b -> cnonneg a -> cnonneg b ->
+  cpow x s = cpow x a * cpow x b.
+Proof.
+  intros x s a b -> [n ->] [m ->] [_ N] [_ M]. rewrite <- RtoC_plus, <- plus_IZR, !cpow_IZR.
+  unfold Re in N, M. simpl in N, M. apply cpowz_nonneg_add; apply le_IZR; lra.
+Qed.
+
+Lemma C_NonzeroPowerOfSum : forall x s a b : C, s = a + b -> cinteger a -> cinteger b -> x <> 0 ->
+  cpow x s = cpow x a * cpow x b.
+Proof.
+  intros x s a b -> [n ->] [m ->] N. rewrite <- RtoC_plus, <- plus_IZR, !cpow_IZR. now apply cpowz_add.
+Qed.
+
+Lemma C_PowerOfProduct : forall p a b n : C, p = a * b -> cinteger n -> cnonneg n -> cpow p n = cpow a n * cpow b n.
+Proof. intros p a b n -> [z ->] _. rewrite !cpow_IZR. apply cpowz_mult. Qed.
+
+Lemma C_NonzeroPowerOfProduct : forall p a b n : C, p = a * b -> cinteger n -> a <> 0 -> b <> 0 ->
+  cpow p n = cpow a n * cpow b n.
+Proof. intros p a b n -> [z ->] _ _. rewrite !cpow_IZR. apply cpowz_mult. Qed.
+
+Lemma C_PowerOfPower : forall x p n m : C, p = n * m -> cinteger n -> cinteger m -> x <> 0 ->
+  cpow (cpow x n) m = cpow x p.
+Proof.
+  intros x p n m -> [a ->] [b ->] N. rewrite <- RtoC_mult, <- mult_IZR, !cpow_IZR. now apply cpowz_cpowz.
+Qed.
+
+Lemma C_PowerNonzero : forall x n : C, x <> 0 -> cinteger n -> cpow x n <> 0.
+Proof. intros x n N [z ->]. rewrite cpow_IZR. now apply cpowz_neq_0. Qed.
+
+Lemma C_PowerOfOne : forall x y : C, x = 1 -> cpow x y = 1.
+Proof.
+  intros x y ->. rewrite C_ComplexPower by (apply RtoC_neq; lra).
+  rewrite cln_R, ln_1 by lra. apply C_ExpOfZero. ring.
+Qed.
+
+Lemma C_CosineOfHalfTurns : forall n : C, cinteger n -> ccos (RtoC PI * n) = cpow (RtoC (-1)) n.
+Proof.
+  intros n [z ->]. rewrite cpow_IZR, cpowz_R by lra.
+  rewrite <- RtoC_mult, ccos_R, CosineOfHalfTurns by now exists z. now rewrite rpow_IZR.
+Qed.
+
+Lemma C_IntegerAtLeastOne : forall n : C, creal n -> cinteger n -> cpositive n -> cnonneg (n - 1).
+Proof.
+  intros n _ [z ->] [_ P]. unfold Re in P. simpl in P. rewrite <- RtoC_minus.
+  apply RtoC_cnonneg. generalize (IntegerAtLeastOne (IZR z) (ex_intro _ z eq_refl) P). lra.
+Qed.
+
+(* Roots. *)
+
+Lemma croot_0 : forall n : nat, croot n 0 = 0.
+Proof. intro n. unfold croot. destruct (Ceq_dec 0 0) as [_ | F]; [reflexivity | now elim F]. Qed.
+
+Lemma croot_nonzero : forall (n : nat) (x : C), x <> 0 -> croot n x = cexp (cln x / INR n).
+Proof. intros n x N. unfold croot. destruct (Ceq_dec x 0); [contradiction | reflexivity]. Qed.
+
+Lemma INR_C_neq_0 : forall n : nat, (1 <= n)%nat -> RtoC (INR n) <> 0.
+Proof. intros n H. apply RtoC_neq, Rgt_not_eq, INR_pos, H. Qed.
+
+Lemma C_RootPower : forall (n : nat) (x : C), (2 <= n)%nat -> cpown (croot n x) n = x.
+Proof.
+  intros n x H. destruct (Ceq_dec x 0) as [-> | N].
+  - rewrite croot_0. apply cpown_0. lia.
+  - rewrite croot_nonzero, cpown_cexp by exact N. rewrite <- (C_ExpOfLn x N) at 2. f_equal.
+    field. apply INR_C_neq_0. lia.
+Qed.
+
+Lemma croot_R : forall (n : nat) (x : R), (1 <= n)%nat -> (0 <= x)%R -> croot n (RtoC x) = RtoC (root n x).
+Proof.
+  intros n x N [P | <-]; [| rewrite root_0; apply croot_0].
+  rewrite croot_nonzero by (apply RtoC_neq; lra).
+  rewrite cln_R, <- RtoC_div, cexp_R, root_pos; trivial.
+  apply Rgt_not_eq, INR_pos, N.
+Qed.
+
+Lemma C_RootUnique : forall (n : nat) (x y : C), (2 <= n)%nat -> creal y -> cnonneg y -> cpown y n = x -> croot n x = y.
+Proof.
+  intros n x y H _ Y <-. destruct (cnonneg_RtoC y Y) as [r [-> P]].
+  rewrite cpown_R, croot_R; [| lia | apply pow_le; lra].
+  f_equal. now apply (RootUnique n).
+Qed.
+
+Lemma C_RootOfNegative : forall x : C, creal x -> cnonneg x -> croot 2 (- x) = Ci * croot 2 x.
+Proof.
+  intros x _ P. destruct (cnonneg_RtoC x P) as [r [-> [H | ->]]].
+  - assert (N : RtoC r <> 0) by (apply RtoC_neq; lra).
+    assert (M : - RtoC r <> 0) by (rewrite <- RtoC_opp; apply RtoC_neq; lra).
+    rewrite !croot_nonzero by assumption.
+    rewrite C_LnOfNegative by (try apply RtoC_cpositive; trivial; reflexivity).
+    rewrite (C_ExpOfSum _ (Ci * RtoC (PI / 2)) (cln (RtoC r) / RtoC (INR 2))).
+    + f_equal. rewrite C_ExpOfImaginary, ccos_R, csin_R, cos_PI2, sin_PI2. parts; ring.
+    + rewrite cln_R by exact H. parts; field.
+  - rewrite <- RtoC_opp, Ropp_0, croot_0. ring.
+Qed.
+
+(* Inverse functions. *)
+
+Lemma csin_exp : forall z : C, csin z = (cexp (Ci * z) - cexp (- (Ci * z))) / (2 * Ci).
+Proof.
+  intro z. replace (- (Ci * z)) with (Ci * - z) by ring.
+  rewrite !C_ExpOfImaginary, (C_SineOfNegative (- z) z), (C_CosineOfNegative (- z) z) by reflexivity.
+  generalize (csin z) (ccos z). intros [a b] [c d]. parts; field.
+Qed.
+
+Lemma C_SineOfArcsin : forall x : C, csin (casin x) = x.
+Proof.
+  intro x. unfold casin. set (q := croot 2 (1 - x * x)).
+  assert (Q : q * q = 1 - x * x).
+  { generalize (C_RootPower 2 (1 - x * x) (le_n 2)). simpl. fold q. rewrite Cmult_1_r. trivial. }
+  set (w := Ci * x + q).
+  assert (I : Ci * Ci = - (1)) by (parts; ring).
+  assert (W : w * (q - Ci * x) = 1).
+  { unfold w. replace ((Ci * x + q) * (q - Ci * x)) with (q * q - Ci * Ci * (x * x)) by ring. rewrite Q, I. ring. }
+  assert (N : w <> 0).
+  { intro F. rewrite F, Cmult_0_l in W. injection W. lra. }
+  rewrite csin_exp.
+  replace (Ci * (- Ci * cln w)) with (- (Ci * Ci) * cln w) by ring. rewrite I.
+  replace (- - (1) * cln w) with (cln w) by ring.
+  assert (V : cexp (- cln w) = q - Ci * x).
+  { assert (E : w * cexp (- cln w) = 1).
+    { rewrite <- (C_ExpOfLn w N) at 1. rewrite <- (C_ExpOfSum (cln w + - cln w)) by reflexivity.
+      apply C_ExpOfZero. ring. }
+    rewrite <- (Cmult_1_l (cexp _)), <- (Cinv_l w N), <- Cmult_assoc, E, <- W, Cmult_assoc, (Cinv_l w N). ring. }
+  rewrite V, C_ExpOfLn by exact N. unfold w.
+  generalize q. intros [c d]. destruct x as [a b]. parts; field.
+Qed.
+
+Lemma C_CosineOfArccos : forall x : C, ccos (cacos x) = x.
+Proof.
+  intro x. unfold cacos, Cminus.
+  rewrite (C_CosineOfSum _ (RtoC (PI / 2)) (- casin x)) by reflexivity.
+  rewrite ccos_R, csin_R, cos_PI2, sin_PI2, (C_SineOfNegative _ (casin x)), C_SineOfArcsin by reflexivity.
+  ring.
+Qed.
+
+Lemma Cmod_1_ix : forall x : R, (Cmod (1, x) * cos (atan x) = 1 /\ Cmod (1, x) * sin (atan x) = x)%R.
+Proof.
+  intro x.
+  assert (P : (0 < cos (atan x))%R) by apply CosineOfArctan.
+  assert (M : (0 < Cmod (1, x))%R).
+  { apply Cmod_gt_0. intro F. injection F. lra. }
+  generalize (Cmod_square (1%R, x)) (Pythagoras (atan x)) (SineOfArctan x). unfold Re, Im. simpl.
+  intros S Y T. rewrite T in Y.
+  assert (K : (Cmod (1, x) * cos (atan x) = 1)%R).
+  { assert (E : ((Cmod (1, x) * cos (atan x)) * (Cmod (1, x) * cos (atan x)) = 1)%R).
+    { transitivity ((Cmod (1, x) * Cmod (1, x)) * (cos (atan x) * cos (atan x)))%R; [ring | rewrite S; lra]. }
+    assert (G : (0 < Cmod (1, x) * cos (atan x))%R) by now apply Rmult_lt_0_compat.
+    nra. }
+  split; [exact K |]. rewrite T.
+  transitivity (x * (Cmod (1, x) * cos (atan x)))%R; [ring | rewrite K; ring].
+Qed.
+
+Lemma carg_1_ix : forall x : R, carg (1%R, x) = atan x.
+Proof.
+  intro x. destruct (Cmod_1_ix x) as [K S]. destruct (atan_bound x) as [B1 B2]. generalize PI_RGT_0. intro P.
+  apply carg_unique; [intro F; injection F; lra | lra | exact K | exact S].
+Qed.
+
+Lemma catan_R : forall x : R, catan (RtoC x) = RtoC (atan x).
+Proof.
+  intro x. unfold catan.
+  replace (RtoC 1 - Ci * RtoC x) with ((1, - x)%R : C) by (parts; ring).
+  replace (RtoC 1 + Ci * RtoC x) with ((1, x)%R : C) by (parts; ring).
+  unfold cln. rewrite !carg_1_ix, atan_opp.
+  replace (Cmod (1, - x)%R) with (Cmod (1, x)%R) by (unfold Cmod; f_equal; simpl; ring).
+  parts; field.
+Qed.
+
+Lemma C_SineOfArctan : forall x : C, creal x -> csin (catan x) = x * ccos (catan x).
+Proof.
+  intros x R. rewrite (creal_RtoC x R), catan_R, csin_R, ccos_R, <- RtoC_mult. f_equal. apply SineOfArctan.
+Qed.
+
+Lemma C_CosineOfArctan : forall x : C, creal x -> cpositive (ccos (catan x)).
+Proof.
+  intros x R. rewrite (creal_RtoC x R), catan_R, ccos_R. apply RtoC_cpositive, CosineOfArctan.
+Qed.
+
+Lemma C_ArctanOfZero : forall x : C, x = 0 -> catan x = 0.
+Proof. intros x ->. rewrite catan_R. f_equal. apply atan_0. Qed.
+
+Lemma C_ArctanAbove : forall x : C, creal x -> cpositive (catan x + RtoC PI / RtoC 2).
+Proof.
+  intros x R. rewrite (creal_RtoC x R), catan_R, <- RtoC_div, <- RtoC_plus by lra. apply RtoC_cpositive, ArctanAbove.
+Qed.
+
+Lemma C_ArctanBelow : forall x : C, creal x -> cpositive (RtoC PI / RtoC 2 - catan x).
+Proof.
+  intros x R. rewrite (creal_RtoC x R), catan_R, <- RtoC_div, <- RtoC_minus by lra. apply RtoC_cpositive, ArctanBelow.
+Qed.
+
+(* Inverse sines and cosines of real numbers between -1 and 1 are the real ones. *)
+Lemma casin_R : forall x : R, (-1 <= x <= 1)%R -> casin (RtoC x) = RtoC (asin x).
+Proof.
+  intros x B. unfold casin.
+  rewrite <- RtoC_mult, <- RtoC_minus, croot_R by (try lia; nra).
+  replace (Ci * RtoC x + RtoC (root 2 (1 - x * x))) with (cexp (Ci * RtoC (asin x))).
+  - rewrite cln_cexp; [parts; ring |].
+    destruct (asin_bound x) as [B1 B2]. generalize PI_RGT_0. unfold Im. simpl. lra.
+  - rewrite C_ExpOfImaginary, ccos_R, csin_R, sin_asin, cos_asin by exact B.
+    unfold Rsqr. simpl root. parts; ring.
+Qed.
+
+Lemma cacos_R : forall x : R, (-1 <= x <= 1)%R -> cacos (RtoC x) = RtoC (acos x).
+Proof. intros x B. unfold cacos. now rewrite casin_R, <- RtoC_minus, acos_as_asin. Qed.
