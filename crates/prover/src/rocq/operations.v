@@ -1,0 +1,586 @@
+(* Limits at a point, integrals, sums and products of the prover's formulas, over the theorems of axioms.v. *)
+
+Require Import Reals Lra Lia.
+Require Import Coquelicot.Coquelicot.
+Require Import axioms.
+Open Scope R_scope.
+
+(* Continuity: a rule for each operation, to be applied one node at a time. *)
+
+Lemma Cont_derive : forall (f : R -> R) (x l : R), is_derive f x l -> continuous f x.
+Proof. intros f x l H. exact (ex_derive_continuous f x (ex_intro _ l H)). Qed.
+
+Lemma Cont_chain : forall (F f : R -> R) (x : R), continuous F (f x) -> continuous f x -> continuous (fun t => F (f t)) x.
+Proof. intros F f x CF Cf. exact (continuous_comp f F x Cf CF). Qed.
+
+Lemma Cont_const : forall c x : R, continuous (fun _ : R => c) x.
+Proof. intros c x. exact (continuous_const c x). Qed.
+
+Lemma Cont_id : forall x : R, continuous (fun t : R => t) x.
+Proof. intro x. exact (continuous_id x). Qed.
+
+Lemma Cont_plus : forall (f g : R -> R) (x : R), continuous f x -> continuous g x -> continuous (fun t => f t + g t) x.
+Proof. intros f g x F G. exact (continuous_plus f g x F G). Qed.
+
+Lemma Cont_minus : forall (f g : R -> R) (x : R), continuous f x -> continuous g x -> continuous (fun t => f t - g t) x.
+Proof. intros f g x F G. exact (continuous_minus f g x F G). Qed.
+
+Lemma Cont_opp : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => - f t) x.
+Proof. intros f x F. exact (continuous_opp f x F). Qed.
+
+Lemma Cont_mult : forall (f g : R -> R) (x : R), continuous f x -> continuous g x -> continuous (fun t => f t * g t) x.
+Proof. intros f g x F G. exact (continuous_mult f g x F G). Qed.
+
+Lemma Cont_inv : forall (f : R -> R) (x : R), continuous f x -> f x <> 0 -> continuous (fun t => / f t) x.
+Proof.
+  intros f x F N. apply (Cont_chain Rinv f); [| exact F].
+  apply (Cont_derive _ _ _ (D_inv (fun t => t) (f x) 1 (D_id (f x)) N)).
+Qed.
+
+Lemma Cont_div : forall (f g : R -> R) (x : R), continuous f x -> continuous g x -> g x <> 0 ->
+  continuous (fun t => f t / g t) x.
+Proof. intros f g x F G N. apply (Cont_mult f (fun t => / g t)); [exact F | now apply Cont_inv]. Qed.
+
+Lemma Cont_pow : forall (f : R -> R) (n : nat) (x : R), continuous f x -> continuous (fun t => f t ^ n) x.
+Proof.
+  intros f n x F. apply (Cont_chain (fun y => y ^ n) f); [| exact F].
+  exact (Cont_derive _ _ _ (D_pow (fun t => t) n (f x) 1 (D_id (f x)))).
+Qed.
+
+Lemma Cont_powerRZ : forall (f : R -> R) (z : Z) (x : R), continuous f x -> f x <> 0 ->
+  continuous (fun t => powerRZ (f t) z) x.
+Proof.
+  intros f z x F N. apply (Cont_chain (fun y => powerRZ y z) f); [| exact F].
+  exact (Cont_derive _ _ _ (D_powerRZ (fun t => t) z (f x) 1 (D_id (f x)) N)).
+Qed.
+
+Lemma Cont_sin : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => sin (f t)) x.
+Proof. intros f x F. apply (Cont_chain sin f); [exact (Cont_derive _ _ _ (is_derive_sin (f x))) | exact F]. Qed.
+
+Lemma Cont_cos : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => cos (f t)) x.
+Proof. intros f x F. apply (Cont_chain cos f); [exact (Cont_derive _ _ _ (is_derive_cos (f x))) | exact F]. Qed.
+
+Lemma Cont_tan : forall (f : R -> R) (x : R), continuous f x -> cos (f x) <> 0 -> continuous (fun t => tan (f t)) x.
+Proof. intros f x F N. apply (Cont_div (fun t => sin (f t)) (fun t => cos (f t))); [now apply Cont_sin | now apply Cont_cos | exact N]. Qed.
+
+Lemma Cont_exp : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => exp (f t)) x.
+Proof. intros f x F. apply (Cont_chain exp f); [exact (Cont_derive _ _ _ (is_derive_exp (f x))) | exact F]. Qed.
+
+Lemma Cont_ln : forall (f : R -> R) (x : R), continuous f x -> 0 < f x -> continuous (fun t => ln (f t)) x.
+Proof. intros f x F P. apply (Cont_chain ln f); [exact (Cont_derive _ _ _ (is_derive_ln (f x) P)) | exact F]. Qed.
+
+Lemma Cont_sqrt : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => sqrt (f t)) x.
+Proof. intros f x F. apply (Cont_chain sqrt f); [apply continuous_sqrt | exact F]. Qed.
+
+Lemma Cont_Rabs : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => Rabs (f t)) x.
+Proof. intros f x F. apply (Cont_chain Rabs f); [apply continuous_Rabs | exact F]. Qed.
+
+Lemma Cont_atan : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => atan (f t)) x.
+Proof. intros f x F. apply (Cont_chain atan f); [exact (Cont_derive _ _ _ (is_derive_atan (f x))) | exact F]. Qed.
+
+Lemma Cont_near : forall (f g : R -> R) (x : R), locally x (fun t => f t = g t) -> continuous f x -> continuous g x.
+Proof. intros f g x E F. apply (continuous_ext_loc g f x); assumption. Qed.
+
+(* Values held between two ends. *)
+
+Ltac by_cases :=
+  repeat match goal with
+  | |- context [Rle_dec ?x ?y] =>
+    lazymatch y with
+    | context [Rle_dec _ _] => fail
+    | _ => destruct (Rle_dec x y)
+    end
+  | |- context [Rcase_abs ?x] =>
+    lazymatch x with
+    | context [Rle_dec _ _] => fail
+    | _ => destruct (Rcase_abs x)
+    end
+  end;
+  lra.
+
+Definition clamp (a b t : R) : R := Rmax a (Rmin b t).
+
+Lemma clamp_in : forall a b t : R, a <= b -> a <= clamp a b t <= b.
+Proof. intros a b t H. unfold clamp, Rmax, Rmin. by_cases. Qed.
+
+Lemma clamp_id : forall a b t : R, a <= t <= b -> clamp a b t = t.
+Proof. intros a b t H. unfold clamp, Rmax, Rmin. by_cases. Qed.
+
+Lemma clamp_contracts : forall a b s t : R, a <= b -> Rabs (clamp a b t - clamp a b s) <= Rabs (t - s).
+Proof.
+  intros a b s t H. unfold clamp, Rmax, Rmin, Rabs. by_cases.
+Qed.
+
+Lemma clamp_limit : forall a b x : R, a <= b ->
+  filterlim (clamp a b) (locally x) (within (fun t => a <= t <= b) (locally (clamp a b x))).
+Proof.
+  intros a b x H P [eps HP]. exists eps. intros y B. apply HP; [| now apply clamp_in].
+  apply Rle_lt_trans with (2 := B). now apply clamp_contracts.
+Qed.
+
+Lemma Cont_clamp : forall (a b : R) (f : R -> R) (x : R), a <= b -> continuous_on (fun t => a <= t <= b) f ->
+  continuous (fun t => f (clamp a b t)) x.
+Proof.
+  intros a b f x H C. unfold continuous.
+  apply (filterlim_comp _ _ _ (clamp a b) f (locally x) _ _ (clamp_limit a b x H)).
+  apply C. now apply clamp_in.
+Qed.
+
+Lemma Cont_everywhere : forall (f : R -> R) (a b x : R), a <= b ->
+  (forall t, a <= t <= b -> continuous f t) -> continuous (fun t => f (clamp a b t)) x.
+Proof.
+  intros f a b x H C. apply Cont_clamp; [exact H |]. apply continuous_on_forall. exact C.
+Qed.
+
+(* Inverse sines and cosines are continuous at the ends too. *)
+
+Lemma asin_half : forall x : R, -1 <= x <= 1 -> asin x = 2 * atan (x / (1 + sqrt (1 - x * x))).
+Proof.
+  intros x H. destruct (asin_bound x) as [B1 B2]. generalize PI_RGT_0. intro P.
+  generalize (sin_asin x H) (cos_asin x H). intros S K. unfold Rsqr in K.
+  assert (C : 0 < cos (asin x / 2)) by (apply cos_gt_0; lra).
+  replace (x / (1 + sqrt (1 - x * x))) with (tan (asin x / 2)).
+  - rewrite atan_tan by lra. field.
+  - transitivity (sin (asin x) / (1 + cos (asin x))); [| now rewrite S, K].
+    replace (asin x) with (2 * (asin x / 2)) at 2 3 by field.
+    rewrite cos_2a_cos, sin_2a. unfold tan. field. split; [nra | lra].
+Qed.
+
+Lemma asin_clamp : forall x : R, asin x = asin (clamp (-1) 1 x).
+Proof.
+  intro x. destruct (Rlt_dec x (-1)) as [L | L]; [| destruct (Rlt_dec 1 x) as [G | G]].
+  - replace (clamp (-1) 1 x) with (-1).
+    + unfold asin. destruct (Rle_dec x (-1)); [| lra]. destruct (Rle_dec (-1) (-1)); [reflexivity | lra].
+    + unfold clamp, Rmax, Rmin. by_cases.
+  - replace (clamp (-1) 1 x) with 1.
+    + unfold asin. destruct (Rle_dec x (-1)); [lra |]. destruct (Rle_dec 1 x); [| lra].
+      destruct (Rle_dec 1 (-1)); [lra |]. destruct (Rle_dec 1 1); [reflexivity | lra].
+    + unfold clamp, Rmax, Rmin. by_cases.
+  - rewrite clamp_id; [reflexivity | lra].
+Qed.
+
+Lemma continuous_asin : forall x : R, continuous asin x.
+Proof.
+  intro x.
+  apply (continuous_ext (fun t => 2 * atan (clamp (-1) 1 t / (1 + sqrt (1 - clamp (-1) 1 t * clamp (-1) 1 t))))).
+  { intro t. rewrite (asin_clamp t). symmetry. apply asin_half. apply clamp_in. lra. }
+  apply (Cont_everywhere (fun t => 2 * atan (t / (1 + sqrt (1 - t * t))))); [lra |].
+  intros t _. apply Cont_mult; [apply Cont_const |]. apply Cont_atan, Cont_div; [apply Cont_id | |].
+  - apply Cont_plus; [apply Cont_const |].
+    apply Cont_sqrt, Cont_minus; [apply Cont_const | apply Cont_mult; apply Cont_id].
+  - generalize (sqrt_pos (1 - t * t)). lra.
+Qed.
+
+Lemma Cont_asin : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => asin (f t)) x.
+Proof. intros f x F. apply (Cont_chain asin f); [apply continuous_asin | exact F]. Qed.
+
+Lemma Cont_acos : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => acos (f t)) x.
+Proof.
+  intros f x F. apply (continuous_ext (fun t => PI / 2 - asin (f t))).
+  { intro t. symmetry. apply acos_as_asin. }
+  apply Cont_minus; [apply Cont_const | now apply Cont_asin].
+Qed.
+
+(* Roots and powers. *)
+
+Lemma root_bound : forall (n : nat) (x : R), (1 <= n)%nat -> Rabs (root n x) <= root n (Rabs x).
+Proof.
+  intros n x N. destruct (Rle_dec 0 x) as [P | P].
+  - rewrite (Rabs_pos_eq x P), (Rabs_pos_eq _ (root_ge_0 n x P)). lra.
+  - assert (Q : 0 < Rabs x) by (apply Rabs_pos_lt; lra).
+    destruct n as [| [| [| n]]]; unfold root.
+    + lia.
+    + destruct (Rlt_dec 0 x); [lra |]. destruct (Rlt_dec x 0); [| lra].
+      destruct (Rlt_dec 0 (Rabs x)); [| lra].
+      rewrite Rabs_Ropp, (Rabs_left x) by lra. right. apply Rabs_pos_eq. left. apply exp_pos.
+    + rewrite sqrt_neg_0 by lra. rewrite Rabs_R0. apply sqrt_pos.
+    + destruct (Rlt_dec 0 x); [lra |]. destruct (Rlt_dec x 0); [| lra].
+      destruct (Rlt_dec 0 (Rabs x)); [| lra].
+      rewrite Rabs_Ropp, (Rabs_left x) by lra. right. apply Rabs_pos_eq. left. apply exp_pos.
+Qed.
+
+Lemma root_lt : forall (n : nat) (x y : R), (1 <= n)%nat -> 0 <= x -> 0 < y -> x < y ^ n -> root n x < y.
+Proof.
+  intros n x y N X Y H.
+  destruct (Rlt_dec (root n x) y) as [L | L]; [exact L |].
+  exfalso. apply (Rlt_irrefl x). apply (Rlt_le_trans _ _ _ H).
+  rewrite <- (root_pow n x N X). apply pow_incr. lra.
+Qed.
+
+Lemma continuous_root_0 : forall n : nat, (1 <= n)%nat -> continuous (root n) 0.
+Proof.
+  intros n N. apply continuity_pt_filterlim. apply continuity_pt_locally. intro eps.
+  exists (mkposreal (eps ^ n) (pow_lt _ _ (cond_pos eps))). intros y B.
+  rewrite root_0, Rminus_0_r.
+  apply Rle_lt_trans with (1 := root_bound n y N).
+  apply root_lt; [exact N | apply Rabs_pos | apply cond_pos |].
+  unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+  rewrite Ropp_0, Rplus_0_r in B. exact B.
+Qed.
+
+Lemma Cont_root : forall (n : nat) (f : R -> R) (x : R), continuous f x -> (1 <= n)%nat -> 0 <= f x ->
+  continuous (fun t => root n (f t)) x.
+Proof.
+  intros n f x F N [P | Z].
+  - apply (Cont_chain (root n) f); [| exact F]. exact (Cont_derive _ _ _ (is_derive_root n (f x) N P)).
+  - apply (Cont_chain (root n) f); [| exact F]. rewrite <- Z. now apply continuous_root_0.
+Qed.
+
+Lemma Cont_root_odd : forall (n : nat) (f : R -> R) (x : R), continuous f x -> Nat.odd n = true ->
+  continuous (fun t => root n (f t)) x.
+Proof.
+  intros n f x F O. apply (Cont_chain (root n) f); [| exact F].
+  assert (N : (1 <= n)%nat) by (destruct n; [discriminate O | lia]).
+  destruct (Req_dec (f x) 0) as [-> | E]; [now apply continuous_root_0 |].
+  exact (Cont_derive _ _ _ (D_root_odd n (fun t => t) (f x) 1 (D_id (f x)) O E)).
+Qed.
+
+Lemma near_positive_continuous : forall (f : R -> R) (x : R), continuous f x -> 0 < f x -> locally x (fun t => 0 < f t).
+Proof. intros f x C P. exact (C (fun y => 0 < y) (open_gt 0 (f x) P)). Qed.
+
+Lemma Cont_rpow : forall (f g : R -> R) (x : R), continuous f x -> continuous g x -> 0 < f x ->
+  continuous (fun t => rpow (f t) (g t)) x.
+Proof.
+  intros f g x F G P.
+  apply (Cont_near (fun t => exp (g t * ln (f t)))).
+  { generalize (near_positive_continuous f x F P). apply filter_imp. intros t T. symmetry. now apply rpow_pos. }
+  apply Cont_exp, Cont_mult; [exact G | now apply Cont_ln].
+Qed.
+
+Lemma Cont_rpow_nat : forall (z : Z) (n : nat) (f : R -> R) (x : R), Z.of_nat n = z -> continuous f x ->
+  continuous (fun t => rpow (f t) (IZR z)) x.
+Proof.
+  intros z n f x <- F. apply (continuous_ext (fun t => f t ^ n)); [| now apply Cont_pow].
+  intro t. now rewrite <- INR_IZR_INZ, rpow_INR.
+Qed.
+
+Lemma Cont_rpow_IZR : forall (z : Z) (f : R -> R) (x : R), continuous f x -> f x <> 0 ->
+  continuous (fun t => rpow (f t) (IZR z)) x.
+Proof.
+  intros z f x F N. apply (continuous_ext (fun t => powerRZ (f t) z)); [| now apply Cont_powerRZ].
+  intro t. symmetry. apply rpow_IZR.
+Qed.
+
+Lemma Cont_rpow_INR : forall (n : nat) (f : R -> R) (x : R), continuous f x -> continuous (fun t => rpow (f t) (INR n)) x.
+Proof.
+  intros n f x F. apply (continuous_ext (fun t => f t ^ n)); [| now apply Cont_pow].
+  intro t. symmetry. apply rpow_INR.
+Qed.
+
+(* Continuity by the rules; what is left are side conditions. *)
+
+Ltac continuous_node :=
+  lazymatch goal with
+  | |- continuous (fun _ => ?c) ?x => exact (Cont_const c x)
+  | |- continuous (fun t => t) ?x => exact (Cont_id x)
+  | |- continuous (fun t => @?f t + @?g t) ?x => refine (Cont_plus f g x _ _)
+  | |- continuous (fun t => @?f t - @?g t) ?x => refine (Cont_minus f g x _ _)
+  | |- continuous (fun t => - @?f t) ?x => refine (Cont_opp f x _)
+  | |- continuous (fun t => @?f t * @?g t) ?x => refine (Cont_mult f g x _ _)
+  | |- continuous (fun t => @?f t / @?g t) ?x => refine (Cont_div f g x _ _ _)
+  | |- continuous (fun t => / @?f t) ?x => refine (Cont_inv f x _ _)
+  | |- continuous (fun t => @?f t ^ ?n) ?x => refine (Cont_pow f n x _)
+  | |- continuous (fun t => powerRZ (@?f t) ?z) ?x => refine (Cont_powerRZ f z x _ _)
+  | |- continuous (fun t => sin (@?f t)) ?x => refine (Cont_sin f x _)
+  | |- continuous (fun t => cos (@?f t)) ?x => refine (Cont_cos f x _)
+  | |- continuous (fun t => tan (@?f t)) ?x => refine (Cont_tan f x _ _)
+  | |- continuous (fun t => exp (@?f t)) ?x => refine (Cont_exp f x _)
+  | |- continuous (fun t => ln (@?f t)) ?x => refine (Cont_ln f x _ _)
+  | |- continuous (fun t => sqrt (@?f t)) ?x => refine (Cont_sqrt f x _)
+  | |- continuous (fun t => Rabs (@?f t)) ?x => refine (Cont_Rabs f x _)
+  | |- continuous (fun t => root 2 (@?f t)) ?x => refine (Cont_sqrt f x _)
+  | |- continuous (fun t => root ?n (@?f t)) ?x =>
+    first
+    [ refine (Cont_root_odd n f x _ (eq_refl true))
+    | refine (Cont_root n f x _ _ _); [| lia |] ]
+  | |- continuous (fun t => rpow (@?f t) (@?g t)) ?x =>
+    lazymatch g with
+    | fun _ => IZR ?z =>
+      lazymatch z with
+      | Zneg _ => refine (Cont_rpow_IZR z f x _ _)
+      | _ => let n := eval compute in (Z.to_nat z) in refine (Cont_rpow_nat z n f x (eq_refl z) _)
+      end
+    | fun _ => INR ?n => refine (Cont_rpow_INR n f x _)
+    | _ => refine (Cont_rpow f g x _ _ _)
+    end
+  | |- continuous (fun t => atan (@?f t)) ?x => refine (Cont_atan f x _)
+  | |- continuous (fun t => asin (@?f t)) ?x => refine (Cont_asin f x _)
+  | |- continuous (fun t => acos (@?f t)) ?x => refine (Cont_acos f x _)
+  | |- continuous (fun t => _) _ => assumption
+  | |- continuous ?f ?x => first [assumption | progress change (continuous (fun t => f t) x)]
+  end.
+
+Ltac is_continuous :=
+  repeat lazymatch goal with |- continuous _ _ => continuous_node end; try side_condition.
+
+Example is_continuous_1 : forall x : R, 0 < x ->
+  continuous (fun t => root 3 (sin t) + ln t / t + rpow t t + rpow t 2 * rpow t (-2) + asin t + sqrt (1 - t)) x.
+Proof. intros x H. is_continuous. Qed.
+
+(* Limits at a point of functions that are continuous there. *)
+
+Lemma limit_continuous : forall (f : R -> R) (x : R), continuous f x -> is_lim f x (f x).
+Proof. intros f x C. apply is_lim_continuity, continuity_pt_filterlim, C. Qed.
+
+Lemma limit_value : forall (f : R -> R) (x l : R), continuous f x -> f x = l -> is_lim f x l.
+Proof. intros f x l C <-. now apply limit_continuous. Qed.
+
+(* A function that agrees with a continuous one near a point, the point itself left out. *)
+Lemma limit_removable : forall (f g : R -> R) (x l : R), continuous g x -> g x = l ->
+  (forall t : R, t <> x -> f t = g t) -> is_lim f x l.
+Proof.
+  intros f g x l C E H. apply (is_lim_ext_loc g).
+  - exists (mkposreal 1 Rlt_0_1). intros t _ N. symmetry. now apply H.
+  - now apply limit_value.
+Qed.
+
+Lemma limit_removable_near : forall (f g : R -> R) (x l d : R), continuous g x -> g x = l -> 0 < d ->
+  (forall t : R, t <> x -> Rabs (t - x) < d -> f t = g t) -> is_lim f x l.
+Proof.
+  intros f g x l d C E D H. apply (is_lim_ext_loc g).
+  - exists (mkposreal d D). intros t B N. symmetry. now apply H.
+  - now apply limit_value.
+Qed.
+
+Lemma limit_derivative : forall (f : R -> R) (x l : R), is_derive f x l ->
+  is_lim (fun h => (f (x + h) - f x) / h) 0 l.
+Proof.
+  intros f x l H. apply is_derive_Reals in H. apply is_lim_spec. intro eps.
+  destruct (H eps (cond_pos eps)) as [d D]. exists d. intros h B N. apply D; [exact N |].
+  unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+  now rewrite Ropp_0, Rplus_0_r in B.
+Qed.
+
+Lemma limit_unique : forall (f : R -> R) (x : Rbar) (l m : Rbar), is_lim f x l -> is_lim f x m -> l = m.
+Proof.
+  intros f x l m L M. rewrite <- (is_lim_unique f x l L). now apply is_lim_unique.
+Qed.
+
+Lemma limit_plus : forall (f g : R -> R) (x : Rbar) (l m : R), is_lim f x l -> is_lim g x m ->
+  is_lim (fun t => f t + g t) x (l + m).
+Proof. intros f g x l m F G. now apply (is_lim_plus' f g x l m). Qed.
+
+Lemma limit_minus : forall (f g : R -> R) (x : Rbar) (l m : R), is_lim f x l -> is_lim g x m ->
+  is_lim (fun t => f t - g t) x (l - m).
+Proof. intros f g x l m F G. now apply (is_lim_minus' f g x l m). Qed.
+
+Lemma limit_mult : forall (f g : R -> R) (x : Rbar) (l m : R), is_lim f x l -> is_lim g x m ->
+  is_lim (fun t => f t * g t) x (l * m).
+Proof. intros f g x l m F G. exact (is_lim_mult f g x l m F G I). Qed.
+
+Lemma limit_div : forall (f g : R -> R) (x : Rbar) (l m : R), is_lim f x l -> is_lim g x m -> m <> 0 ->
+  is_lim (fun t => f t / g t) x (l / m).
+Proof.
+  intros f g x l m F G N. apply limit_mult; [exact F |].
+  apply (is_lim_inv g x m G). intro E. apply N. now injection E.
+Qed.
+
+Lemma limit_comp : forall (F f : R -> R) (x : Rbar) (l : R), is_lim f x l -> continuous F l ->
+  is_lim (fun t => F (f t)) x (F l).
+Proof. intros F f x l H C. now apply (is_lim_comp_continuous f F). Qed.
+
+Example limit_1 : is_lim (fun t => (t ^ 2 - 1) / (t - 1)) 1 2.
+Proof. apply (limit_removable _ (fun t => t + 1)); [is_continuous | lra | intros t N; field; lra]. Qed.
+
+(* Integrals by antiderivatives, with ends in any order. *)
+
+Lemma integral_closed : forall (F f : R -> R) (a b : R),
+  (forall x, Rmin a b <= x <= Rmax a b -> is_derive F x (f x)) ->
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous f x) ->
+  is_RInt f a b (F b - F a).
+Proof. intros F f a b D C. exact (is_RInt_derive F f a b D C). Qed.
+
+Lemma RInt_closed : forall (F f : R -> R) (a b : R),
+  (forall x, Rmin a b <= x <= Rmax a b -> is_derive F x (f x)) ->
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous f x) ->
+  RInt f a b = F b - F a :> R.
+Proof. intros F f a b D C. apply is_RInt_unique. now apply integral_closed. Qed.
+
+(* The antiderivative may lack a derivative at the ends; continuity there is of values between the ends alone. *)
+Lemma integral_within : forall (F f : R -> R) (a b : R),
+  continuous_on (fun t => Rmin a b <= t <= Rmax a b) F ->
+  continuous_on (fun t => Rmin a b <= t <= Rmax a b) f ->
+  (forall x, Rmin a b < x < Rmax a b -> is_derive F x (f x)) ->
+  is_RInt f a b (F b - F a).
+Proof.
+  intros F f a b CF Cf D.
+  assert (M : Rmin a b <= Rmax a b) by apply Rmin_Rmax.
+  set (lo := Rmin a b) in *. set (hi := Rmax a b) in *.
+  set (g := fun t => f (clamp lo hi t)).
+  assert (Cg : forall x, continuous g x) by (intro x; now apply Cont_clamp).
+  assert (X : forall y, ex_RInt g a y) by (intro y; apply (ex_RInt_continuous (V := R_CompleteNormedModule)); intros; apply Cg).
+  assert (DG : forall y, is_derive (fun t => RInt g a t) y (g y)).
+  { intro y. apply (is_derive_RInt g (fun t => RInt g a t) a y); [| apply Cg].
+    apply filter_forall. intro t. exact (RInt_correct g a t (X t)). }
+  set (H := fun t => F (clamp lo hi t) - RInt g a t).
+  assert (E : H b - H a = 0).
+  { destruct (MVT_gen H a b (fun _ => 0)) as [c [_ E]]; fold lo hi.
+    - intros x B. unfold H. eapply D_equal; [apply D_minus; [| apply DG] |].
+      + apply (D_near F); [| apply (D x B)].
+        assert (N : 0 < Rmin (x - lo) (hi - x)) by (apply Rmin_pos; lra).
+        exists (mkposreal _ N). intros t T. unfold ball in T. simpl in T.
+        unfold AbsRing_ball, abs, minus, plus, opp in T. simpl in T.
+        apply Rabs_def2 in T. generalize (Rmin_l (x - lo) (hi - x)) (Rmin_r (x - lo) (hi - x)). intros.
+        rewrite clamp_id; [reflexivity | lra].
+      + unfold g. rewrite clamp_id by lra. ring.
+    - intros x _. apply continuity_pt_filterlim. unfold H.
+      apply (Cont_minus (fun t => F (clamp lo hi t)) (fun t => RInt g a t)); [now apply Cont_clamp |].
+      exact (Cont_derive _ _ _ (DG x)).
+    - rewrite E. ring. }
+  assert (A : lo <= a <= hi) by (unfold lo, hi; split; [apply Rmin_l | apply Rmax_l]).
+  assert (B : lo <= b <= hi) by (unfold lo, hi; split; [apply Rmin_r | apply Rmax_r]).
+  unfold H in E. rewrite !clamp_id in E by assumption.
+  rewrite (RInt_point a g) in E. unfold zero in E. simpl in E.
+  replace (F b - F a) with (RInt g a b) by lra.
+  apply (is_RInt_ext g); [| exact (RInt_correct g a b (X b))].
+  intros t T. unfold g. fold lo hi in T. rewrite clamp_id; [reflexivity | lra].
+Qed.
+
+Lemma integral_open : forall (F f : R -> R) (a b : R),
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous F x) ->
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous f x) ->
+  (forall x, Rmin a b < x < Rmax a b -> is_derive F x (f x)) ->
+  is_RInt f a b (F b - F a).
+Proof.
+  intros F f a b CF Cf D. apply integral_within; [| | exact D]; apply continuous_on_forall; assumption.
+Qed.
+
+Lemma RInt_open : forall (F f : R -> R) (a b : R),
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous F x) ->
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous f x) ->
+  (forall x, Rmin a b < x < Rmax a b -> is_derive F x (f x)) ->
+  RInt f a b = F b - F a :> R.
+Proof. intros F f a b CF Cf D. apply is_RInt_unique. now apply integral_open. Qed.
+
+(* Between ends in order the conditions are written without minimum and maximum. *)
+Lemma integral_from_to : forall (F f : R -> R) (a b : R), a <= b ->
+  (forall x, a <= x <= b -> continuous F x) ->
+  (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive F x (f x)) ->
+  is_RInt f a b (F b - F a).
+Proof.
+  intros F f a b H CF Cf D.
+  apply integral_open; rewrite (Rmin_left a b H), (Rmax_right a b H); assumption.
+Qed.
+
+Lemma RInt_from_to : forall (F f : R -> R) (a b : R), a <= b ->
+  (forall x, a <= x <= b -> continuous F x) ->
+  (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive F x (f x)) ->
+  RInt f a b = F b - F a :> R.
+Proof. intros F f a b H CF Cf D. apply is_RInt_unique. now apply integral_from_to. Qed.
+
+Lemma RInt_from_to_value : forall (F f : R -> R) (a b v : R), a <= b ->
+  (forall x, a <= x <= b -> continuous F x) ->
+  (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive F x (f x)) ->
+  F b - F a = v ->
+  RInt f a b = v :> R.
+Proof. intros F f a b v H CF Cf D <-. now apply RInt_from_to. Qed.
+
+Lemma RInt_down_value : forall (F f : R -> R) (a b v : R), b <= a ->
+  (forall x, b <= x <= a -> continuous F x) ->
+  (forall x, b <= x <= a -> continuous f x) ->
+  (forall x, b < x < a -> is_derive F x (f x)) ->
+  F b - F a = v ->
+  RInt f a b = v :> R.
+Proof.
+  intros F f a b v H CF Cf D <-. apply RInt_open; rewrite (Rmin_right a b H), (Rmax_left a b H); assumption.
+Qed.
+
+Lemma RInt_any_value : forall (F f : R -> R) (a b v : R),
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous F x) ->
+  (forall x, Rmin a b <= x <= Rmax a b -> continuous f x) ->
+  (forall x, Rmin a b < x < Rmax a b -> is_derive F x (f x)) ->
+  F b - F a = v ->
+  RInt f a b = v :> R.
+Proof. intros F f a b v CF Cf D <-. now apply RInt_open. Qed.
+
+(* The value of an integral by a given antiderivative; what is left are conditions that were not proved, and the value. *)
+Ltac integrate F :=
+  lazymatch goal with
+  | |- RInt ?f ?a ?b = ?v =>
+    first
+    [ let H := fresh in
+      assert (H : a <= b) by side_condition; refine (RInt_from_to_value F f a b v H _ _ _ _); clear H
+    | let H := fresh in
+      assert (H : b <= a) by side_condition; refine (RInt_down_value F f a b v H _ _ _ _); clear H
+    | refine (RInt_any_value F f a b v _ _ _ _) ]
+  end;
+  [ intros; is_continuous | intros; is_continuous | intros; differentiate | cbv beta ].
+
+(* Integrals that are equal, added, scaled and put together. *)
+
+Lemma integral_equal : forall (f g : R -> R) (a b : R),
+  (forall x, Rmin a b < x < Rmax a b -> f x = g x) -> RInt f a b = RInt g a b :> R.
+Proof. intros f g a b E. exact (RInt_ext f g a b E). Qed.
+
+Lemma integrable : forall (f : R -> R) (a b : R), (forall x, Rmin a b <= x <= Rmax a b -> continuous f x) -> ex_RInt f a b.
+Proof. intros f a b C. exact (ex_RInt_continuous (V := R_CompleteNormedModule) f a b C). Qed.
+
+Lemma integral_plus : forall (f g : R -> R) (a b : R), ex_RInt f a b -> ex_RInt g a b ->
+  RInt (fun t => f t + g t) a b = RInt f a b + RInt g a b :> R.
+Proof. intros f g a b F G. exact (RInt_plus f g a b F G). Qed.
+
+Lemma integral_minus : forall (f g : R -> R) (a b : R), ex_RInt f a b -> ex_RInt g a b ->
+  RInt (fun t => f t - g t) a b = RInt f a b - RInt g a b :> R.
+Proof. intros f g a b F G. exact (RInt_minus f g a b F G). Qed.
+
+Lemma integral_scal : forall (c : R) (f : R -> R) (a b : R), ex_RInt f a b ->
+  RInt (fun t => c * f t) a b = c * RInt f a b :> R.
+Proof. intros c f a b F. exact (RInt_scal f a b c F). Qed.
+
+Lemma integral_chasles : forall (f : R -> R) (a b c : R), ex_RInt f a b -> ex_RInt f b c ->
+  RInt f a b + RInt f b c = RInt f a c :> R.
+Proof. intros f a b c F G. exact (RInt_Chasles f a b c F G). Qed.
+
+Lemma integral_point : forall (f : R -> R) (a : R), RInt f a a = 0 :> R.
+Proof. intros f a. exact (RInt_point a f). Qed.
+
+(* An integral to infinity is the limit of the antiderivative. *)
+Lemma integral_to_infinity : forall (F f : R -> R) (a l : R),
+  (forall x, a <= x -> is_derive F x (f x)) -> (forall x, a <= x -> continuous f x) -> is_lim F p_infty l ->
+  is_RInt_gen f (at_point a) (Rbar_locally p_infty) (l - F a).
+Proof.
+  intros F f a l D C L.
+  intros P HP.
+  assert (G : is_lim (fun x => F x - F a) p_infty (l - F a)).
+  { apply limit_minus; [exact L | apply is_lim_const]. }
+  specialize (G P HP). destruct G as [M HM].
+  apply (Filter_prod _ _ _ (fun x => x = a) (fun y => Rmax a M < y)).
+  - reflexivity.
+  - exists (Rmax a M). trivial.
+  - intros x y -> Y. exists (F y - F a). split.
+    + simpl. assert (A : a <= y) by (generalize (Rmax_l a M); lra).
+      apply integral_closed; rewrite (Rmin_left a y A); intros x B; [apply D | apply C]; lra.
+    + apply HM. generalize (Rmax_r a M). lra.
+Qed.
+
+Example integral_1 : RInt (fun t => t * sin t) 0 PI = PI.
+Proof.
+  integrate (fun t => sin t - t * cos t). rewrite sin_PI, cos_PI, sin_0, cos_0. ring.
+Qed.
+
+Example integral_2 : RInt (fun t => root 2 (1 - t ^ 2)) 0 1 = PI / 4.
+Proof.
+  integrate (fun t => asin t / 2 + t * sqrt (1 - t ^ 2) / 2).
+  - assert (S : sqrt (1 - x ^ 2) * sqrt (1 - x ^ 2) = 1 - x ^ 2) by (apply sqrt_sqrt; nra).
+    assert (N : sqrt (1 - x ^ 2) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0; nra).
+    unfold root. apply (Rmult_eq_reg_r (sqrt (1 - x ^ 2))); [| exact N]. field_simplify; [| exact N].
+    simpl in *. nra.
+  - rewrite asin_1, asin_0. replace (1 - 1 ^ 2) with 0 by ring. rewrite sqrt_0. lra.
+Qed.
+
+Example integral_3 : is_RInt_gen (fun t => exp (- t)) (at_point 0) (Rbar_locally p_infty) 1.
+Proof.
+  replace 1 with (0 - - exp (- 0)) by (rewrite Ropp_0, exp_0; ring).
+  apply (integral_to_infinity (fun t => - exp (- t))).
+  - intros x _. differentiate.
+  - intros x _. is_continuous.
+  - replace (Finite 0) with (Rbar_opp (Finite 0)) by (simpl; f_equal; ring).
+    apply (is_lim_opp (fun t => exp (- t))).
+    apply (is_lim_comp exp (fun t => - t) p_infty 0 m_infty).
+    + exact is_lim_exp_m.
+    + apply (is_lim_opp (fun t => t) p_infty p_infty). apply is_lim_id.
+    + exists 0. discriminate.
+Qed.
