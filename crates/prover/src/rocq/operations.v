@@ -584,3 +584,404 @@ Proof.
     + apply (is_lim_opp (fun t => t) p_infty p_infty). apply is_lim_id.
     + exists 0. discriminate.
 Qed.
+
+(* Sums and products of u(n) for n from a to b; an empty one is 0, or 1. *)
+
+Fixpoint sum_terms (u : R -> R) (a : Z) (n : nat) : R :=
+  match n with
+  | O => 0
+  | S m => sum_terms u a m + u (IZR (a + Z.of_nat m))
+  end.
+
+Fixpoint product_terms (u : R -> R) (a : Z) (n : nat) : R :=
+  match n with
+  | O => 1
+  | S m => product_terms u a m * u (IZR (a + Z.of_nat m))
+  end.
+
+Definition vsum (a b : Z) (u : R -> R) : R := sum_terms u a (Z.to_nat (b - a + 1)).
+Definition vprod (a b : Z) (u : R -> R) : R := product_terms u a (Z.to_nat (b - a + 1)).
+
+(* The same between ends that are real numbers with integer values. *)
+Definition rsum (a b : R) (u : R -> R) : R := vsum (Int_part a) (Int_part b) u.
+Definition rprod (a b : R) (u : R -> R) : R := vprod (Int_part a) (Int_part b) u.
+
+Lemma rsum_IZR : forall (a b : Z) (u : R -> R), rsum (IZR a) (IZR b) u = vsum a b u.
+Proof. intros a b u. unfold rsum. now rewrite !Int_part_IZR. Qed.
+
+Lemma rprod_IZR : forall (a b : Z) (u : R -> R), rprod (IZR a) (IZR b) u = vprod a b u.
+Proof. intros a b u. unfold rprod. now rewrite !Int_part_IZR. Qed.
+
+(* Integers among the real numbers. *)
+
+Lemma integer_IZR : forall z : Z, integer (IZR z).
+Proof. intro z. now exists z. Qed.
+
+Lemma integer_INR : forall n : nat, integer (INR n).
+Proof. intro n. exists (Z.of_nat n). apply INR_IZR_INZ. Qed.
+
+Lemma integer_plus : forall x y : R, integer x -> integer y -> integer (x + y).
+Proof. intros x y [a ->] [b ->]. exists (a + b)%Z. now rewrite plus_IZR. Qed.
+
+Lemma integer_minus : forall x y : R, integer x -> integer y -> integer (x - y).
+Proof. intros x y [a ->] [b ->]. exists (a - b)%Z. now rewrite minus_IZR. Qed.
+
+Lemma integer_opp : forall x : R, integer x -> integer (- x).
+Proof. intros x [a ->]. exists (- a)%Z. now rewrite opp_IZR. Qed.
+
+Lemma integer_mult : forall x y : R, integer x -> integer y -> integer (x * y).
+Proof. intros x y [a ->] [b ->]. exists (a * b)%Z. now rewrite mult_IZR. Qed.
+
+Lemma integer_pow : forall (x : R) (n : nat), integer x -> integer (x ^ n).
+Proof.
+  intros x n X. induction n as [| n IH]; [exact (integer_IZR 1) | now apply integer_mult].
+Qed.
+
+Ltac is_integer :=
+  repeat first
+  [ assumption
+  | apply integer_IZR
+  | apply integer_INR
+  | apply integer_plus
+  | apply integer_minus
+  | apply integer_opp
+  | apply integer_mult
+  | apply integer_pow ].
+
+Lemma integer_gap : forall x y : R, integer x -> integer y -> x < y -> x + 1 <= y.
+Proof.
+  intros x y [a ->] [b ->] H. apply lt_IZR in H. rewrite <- plus_IZR. apply IZR_le. lia.
+Qed.
+
+(* Induction over the integers from a on, as real numbers. *)
+Lemma integer_induction : forall (P : R -> Prop) (a : R), integer a -> P a ->
+  (forall n : R, integer n -> a <= n -> P n -> P (n + 1)) ->
+  forall b : R, integer b -> a <= b -> P b.
+Proof.
+  intros P a [z ->] B Next b [w ->] L. apply le_IZR in L.
+  replace w with (z + Z.of_nat (Z.to_nat (w - z)))%Z by lia.
+  induction (Z.to_nat (w - z)) as [| k IH].
+  - now rewrite Z.add_0_r.
+  - replace (z + Z.of_nat (S k))%Z with (z + Z.of_nat k + 1)%Z by lia.
+    rewrite plus_IZR. apply Next; [apply integer_IZR | apply IZR_le; lia | exact IH].
+Qed.
+
+(* Empty sums, last and first terms, parts of sums. *)
+
+Lemma vsum_empty : forall (a b : Z) (u : R -> R), (b < a)%Z -> vsum a b u = 0.
+Proof. intros a b u H. unfold vsum. now replace (Z.to_nat (b - a + 1)) with O by lia. Qed.
+
+Lemma vprod_empty : forall (a b : Z) (u : R -> R), (b < a)%Z -> vprod a b u = 1.
+Proof. intros a b u H. unfold vprod. now replace (Z.to_nat (b - a + 1)) with O by lia. Qed.
+
+Lemma vsum_next : forall (a b : Z) (u : R -> R), (a - 1 <= b)%Z -> vsum a (b + 1) u = vsum a b u + u (IZR (b + 1)).
+Proof.
+  intros a b u H. unfold vsum.
+  replace (Z.to_nat (b + 1 - a + 1)) with (S (Z.to_nat (b - a + 1))) by lia.
+  simpl. do 3 f_equal. lia.
+Qed.
+
+Lemma vprod_next : forall (a b : Z) (u : R -> R), (a - 1 <= b)%Z -> vprod a (b + 1) u = vprod a b u * u (IZR (b + 1)).
+Proof.
+  intros a b u H. unfold vprod.
+  replace (Z.to_nat (b + 1 - a + 1)) with (S (Z.to_nat (b - a + 1))) by lia.
+  simpl. do 3 f_equal. lia.
+Qed.
+
+Lemma rsum_empty : forall (a b : R) (u : R -> R), integer a -> integer b -> b < a -> rsum a b u = 0.
+Proof. intros a b u [x ->] [y ->] H. rewrite rsum_IZR. apply vsum_empty, lt_IZR, H. Qed.
+
+Lemma rprod_empty : forall (a b : R) (u : R -> R), integer a -> integer b -> b < a -> rprod a b u = 1.
+Proof. intros a b u [x ->] [y ->] H. rewrite rprod_IZR. apply vprod_empty, lt_IZR, H. Qed.
+
+Lemma rsum_before : forall (a : R) (u : R -> R), integer a -> rsum a (a - 1) u = 0.
+Proof. intros a u A. apply rsum_empty; [is_integer | is_integer | lra]. Qed.
+
+Lemma rprod_before : forall (a : R) (u : R -> R), integer a -> rprod a (a - 1) u = 1.
+Proof. intros a u A. apply rprod_empty; [is_integer | is_integer | lra]. Qed.
+
+Lemma rsum_next : forall (a b : R) (u : R -> R), integer a -> integer b -> a - 1 <= b ->
+  rsum a (b + 1) u = rsum a b u + u (b + 1).
+Proof.
+  intros a b u [x ->] [y ->] H. rewrite <- minus_IZR in H. apply le_IZR in H.
+  rewrite <- plus_IZR, !rsum_IZR. now apply vsum_next.
+Qed.
+
+Lemma rprod_next : forall (a b : R) (u : R -> R), integer a -> integer b -> a - 1 <= b ->
+  rprod a (b + 1) u = rprod a b u * u (b + 1).
+Proof.
+  intros a b u [x ->] [y ->] H. rewrite <- minus_IZR in H. apply le_IZR in H.
+  rewrite <- plus_IZR, !rprod_IZR. now apply vprod_next.
+Qed.
+
+Lemma rsum_last : forall (a b : R) (u : R -> R), integer a -> integer b -> a <= b ->
+  rsum a b u = rsum a (b - 1) u + u b.
+Proof.
+  intros a b u A B H. replace b with (b - 1 + 1) at 1 3 by ring.
+  apply rsum_next; [is_integer | is_integer | lra].
+Qed.
+
+Lemma rprod_last : forall (a b : R) (u : R -> R), integer a -> integer b -> a <= b ->
+  rprod a b u = rprod a (b - 1) u * u b.
+Proof.
+  intros a b u A B H. replace b with (b - 1 + 1) at 1 3 by ring.
+  apply rprod_next; [is_integer | is_integer | lra].
+Qed.
+
+Lemma rsum_one : forall (a : R) (u : R -> R), integer a -> rsum a a u = u a.
+Proof.
+  intros a u A. rewrite rsum_last, rsum_before by (try assumption; lra). ring.
+Qed.
+
+Lemma rprod_one : forall (a : R) (u : R -> R), integer a -> rprod a a u = u a.
+Proof.
+  intros a u A. rewrite rprod_last, rprod_before by (try assumption; lra). ring.
+Qed.
+
+(* From the integer before the first term on: what holds of the empty sum and is kept by each term holds. *)
+Lemma rsum_induction : forall (P : R -> R -> Prop) (a : R) (u : R -> R), integer a -> P (a - 1) 0 ->
+  (forall n s : R, integer n -> a - 1 <= n -> P n s -> P (n + 1) (s + u (n + 1))) ->
+  forall b : R, integer b -> a - 1 <= b -> P b (rsum a b u).
+Proof.
+  intros P a u A Z S. apply (integer_induction (fun b => P b (rsum a b u)) (a - 1)).
+  - is_integer.
+  - now rewrite rsum_before.
+  - intros n N L H. rewrite rsum_next by assumption. now apply S.
+Qed.
+
+Lemma rprod_induction : forall (P : R -> R -> Prop) (a : R) (u : R -> R), integer a -> P (a - 1) 1 ->
+  (forall n s : R, integer n -> a - 1 <= n -> P n s -> P (n + 1) (s * u (n + 1))) ->
+  forall b : R, integer b -> a - 1 <= b -> P b (rprod a b u).
+Proof.
+  intros P a u A Z S. apply (integer_induction (fun b => P b (rprod a b u)) (a - 1)).
+  - is_integer.
+  - now rewrite rprod_before.
+  - intros n N L H. rewrite rprod_next by assumption. now apply S.
+Qed.
+
+(* Closed forms. *)
+
+Lemma rsum_closed : forall (F u : R -> R) (a b : R), integer a -> integer b -> a - 1 <= b ->
+  F (a - 1) = 0 ->
+  (forall n : R, integer n -> a - 1 <= n -> n + 1 <= b -> F (n + 1) - F n = u (n + 1)) ->
+  rsum a b u = F b.
+Proof.
+  intros F u a b A B L Z S.
+  apply (integer_induction (fun c => c <= b -> rsum a c u = F c) (a - 1)); try assumption; [| | | lra].
+  - is_integer.
+  - intros _. now rewrite rsum_before.
+  - intros n N K IH Q. rewrite rsum_next by assumption. rewrite IH by lra. rewrite <- S by assumption. ring.
+Qed.
+
+Lemma rsum_telescope : forall (F u : R -> R) (a b : R), integer a -> integer b -> a - 1 <= b ->
+  (forall n : R, integer n -> a - 1 <= n -> n + 1 <= b -> F (n + 1) - F n = u (n + 1)) ->
+  rsum a b u = F b - F (a - 1).
+Proof.
+  intros F u a b A B L S. apply (rsum_closed (fun n => F n - F (a - 1))); try assumption.
+  - ring.
+  - intros n N K Q. rewrite <- S by assumption. ring.
+Qed.
+
+(* The same with differences of the form F(n + 1) - F(n) = u(n), as Gosper's algorithm gives them. *)
+Lemma rsum_differences : forall (F u : R -> R) (a b : R), integer a -> integer b -> a - 1 <= b ->
+  (forall n : R, integer n -> a <= n -> n <= b -> F (n + 1) - F n = u n) ->
+  rsum a b u = F (b + 1) - F a.
+Proof.
+  intros F u a b A B L S.
+  rewrite (rsum_telescope (fun n => F (n + 1)) u a b A B L).
+  - replace (a - 1 + 1) with a by ring. reflexivity.
+  - intros n N K Q. apply S; [is_integer | lra | lra].
+Qed.
+
+Lemma rprod_closed : forall (F u : R -> R) (a b : R), integer a -> integer b -> a - 1 <= b ->
+  F (a - 1) = 1 ->
+  (forall n : R, integer n -> a - 1 <= n -> n + 1 <= b -> F (n + 1) = F n * u (n + 1)) ->
+  rprod a b u = F b.
+Proof.
+  intros F u a b A B L Z S.
+  apply (integer_induction (fun c => c <= b -> rprod a c u = F c) (a - 1)); try assumption; [| | | lra].
+  - is_integer.
+  - intros _. now rewrite rprod_before.
+  - intros n N K IH Q. rewrite rprod_next by assumption. rewrite IH by lra. now rewrite <- S by assumption.
+Qed.
+
+(* Equal terms, linearity, parts. *)
+
+Lemma rsum_equal : forall (u v : R -> R) (a b : R), integer a -> integer b ->
+  (forall n : R, integer n -> a <= n <= b -> u n = v n) -> rsum a b u = rsum a b v.
+Proof.
+  intros u v a b A B E. destruct (Rlt_dec b a) as [H | H].
+  - now rewrite !rsum_empty.
+  - apply (rsum_closed (fun n => rsum a n v)); try assumption; [lra | now apply rsum_before |].
+    intros n N K Q. rewrite rsum_next by assumption. rewrite E; [ring | is_integer | lra].
+Qed.
+
+Lemma rprod_equal : forall (u v : R -> R) (a b : R), integer a -> integer b ->
+  (forall n : R, integer n -> a <= n <= b -> u n = v n) -> rprod a b u = rprod a b v.
+Proof.
+  intros u v a b A B E. destruct (Rlt_dec b a) as [H | H].
+  - now rewrite !rprod_empty.
+  - apply (rprod_closed (fun n => rprod a n v)); try assumption; [lra | now apply rprod_before |].
+    intros n N K Q. rewrite rprod_next by assumption. rewrite E; [ring | is_integer | lra].
+Qed.
+
+Lemma sum_terms_plus : forall (u v : R -> R) (a : Z) (n : nat),
+  sum_terms (fun t => u t + v t) a n = sum_terms u a n + sum_terms v a n.
+Proof. intros u v a n. induction n as [| n IH]; simpl; [ring | rewrite IH; ring]. Qed.
+
+Lemma sum_terms_minus : forall (u v : R -> R) (a : Z) (n : nat),
+  sum_terms (fun t => u t - v t) a n = sum_terms u a n - sum_terms v a n.
+Proof. intros u v a n. induction n as [| n IH]; simpl; [ring | rewrite IH; ring]. Qed.
+
+Lemma sum_terms_scal : forall (c : R) (u : R -> R) (a : Z) (n : nat),
+  sum_terms (fun t => c * u t) a n = c * sum_terms u a n.
+Proof. intros c u a n. induction n as [| n IH]; simpl; [ring | rewrite IH; ring]. Qed.
+
+Lemma product_terms_mult : forall (u v : R -> R) (a : Z) (n : nat),
+  product_terms (fun t => u t * v t) a n = product_terms u a n * product_terms v a n.
+Proof. intros u v a n. induction n as [| n IH]; simpl; [ring | rewrite IH; ring]. Qed.
+
+Lemma rsum_plus : forall (a b : R) (u v : R -> R), rsum a b (fun t => u t + v t) = rsum a b u + rsum a b v.
+Proof. intros a b u v. apply sum_terms_plus. Qed.
+
+Lemma rsum_minus : forall (a b : R) (u v : R -> R), rsum a b (fun t => u t - v t) = rsum a b u - rsum a b v.
+Proof. intros a b u v. apply sum_terms_minus. Qed.
+
+Lemma rsum_scal : forall (a b c : R) (u : R -> R), rsum a b (fun t => c * u t) = c * rsum a b u.
+Proof. intros a b c u. apply sum_terms_scal. Qed.
+
+Lemma rsum_opp : forall (a b : R) (u : R -> R), rsum a b (fun t => - u t) = - rsum a b u.
+Proof.
+  intros a b u. unfold rsum, vsum. induction (Z.to_nat _) as [| n IH]; simpl; [ring | rewrite IH; ring].
+Qed.
+
+Lemma rsum_scal_r : forall (a b c : R) (u : R -> R), rsum a b (fun t => u t * c) = rsum a b u * c.
+Proof.
+  intros a b c u. unfold rsum, vsum. induction (Z.to_nat _) as [| n IH]; simpl; [ring | rewrite IH; ring].
+Qed.
+
+Lemma rsum_div : forall (a b c : R) (u : R -> R), rsum a b (fun t => u t / c) = rsum a b u / c.
+Proof. intros a b c u. exact (rsum_scal_r a b (/ c) u). Qed.
+
+Lemma rprod_mult : forall (a b : R) (u v : R -> R), rprod a b (fun t => u t * v t) = rprod a b u * rprod a b v.
+Proof. intros a b u v. apply product_terms_mult. Qed.
+
+Lemma rsum_const : forall a b c : R, integer a -> integer b -> a - 1 <= b ->
+  rsum a b (fun _ => c) = (b - a + 1) * c.
+Proof.
+  intros a b c A B L. apply (rsum_closed (fun n => (n - a + 1) * c)); try assumption; [ring | intros; ring].
+Qed.
+
+Lemma rsum_split : forall (a b c : R) (u : R -> R), integer a -> integer b -> integer c -> a - 1 <= b -> b <= c ->
+  rsum a c u = rsum a b u + rsum (b + 1) c u.
+Proof.
+  intros a b c u A B C L M.
+  assert (S : rsum (b + 1) c u = rsum a c u - rsum a b u).
+  { rewrite (rsum_telescope (fun n => rsum a n u) u (b + 1) c); try is_integer; try lra.
+    - now replace (b + 1 - 1) with b by ring.
+    - intros n N K Q. rewrite rsum_next; [ring | exact A | exact N | lra]. }
+  rewrite S. ring.
+Qed.
+
+Lemma rsum_first : forall (a b : R) (u : R -> R), integer a -> integer b -> a <= b ->
+  rsum a b u = u a + rsum (a + 1) b u.
+Proof.
+  intros a b u A B L. rewrite (rsum_split a a b u) by (try assumption; lra). now rewrite rsum_one.
+Qed.
+
+Lemma rsum_shift : forall (a b k : R) (u : R -> R), integer a -> integer b -> integer k -> a - 1 <= b ->
+  rsum (a + k) (b + k) u = rsum a b (fun t => u (t + k)).
+Proof.
+  intros a b k u A B K L. symmetry.
+  apply (rsum_closed (fun n => rsum (a + k) (n + k) u)); try assumption.
+  - replace (a - 1 + k) with (a + k - 1) by ring. apply rsum_before. is_integer.
+  - intros n N M Q. replace (n + 1 + k) with (n + k + 1) by ring.
+    rewrite rsum_next; [ring | is_integer | is_integer | lra].
+Qed.
+
+Lemma rprod_nonzero : forall (a b : R) (u : R -> R), integer a -> integer b -> a - 1 <= b ->
+  (forall n : R, integer n -> a <= n <= b -> u n <> 0) -> rprod a b u <> 0.
+Proof.
+  intros a b u A B L N.
+  apply (integer_induction (fun c => c <= b -> rprod a c u <> 0) (a - 1)); try assumption; [| | | lra].
+  - is_integer.
+  - intros _. rewrite rprod_before by assumption. lra.
+  - intros n I K IH Q. rewrite rprod_next by assumption. apply Rmult_integral_contrapositive_currified.
+    + apply IH. lra.
+    + apply N; [is_integer | lra].
+Qed.
+
+(* Sums of the standard form of series, and infinite sums as limits. *)
+
+Lemma vsum_sum_n : forall (u : R -> R) (n : nat), vsum 0 (Z.of_nat n) u = sum_n (fun k => u (INR k)) n.
+Proof.
+  intros u n. unfold vsum. replace (Z.to_nat (Z.of_nat n - 0 + 1)) with (S n) by lia.
+  induction n as [| n IH].
+  - rewrite sum_O. simpl. ring.
+  - rewrite sum_Sn, <- IH. simpl sum_terms at 1. unfold plus. simpl plus. rewrite INR_IZR_INZ. reflexivity.
+Qed.
+
+Lemma vsum_infinite : forall (F u : R -> R) (a : Z) (l : R),
+  (forall n : R, integer n -> IZR a <= n -> F (n + 1) - F n = u n) -> is_lim F p_infty l ->
+  is_lim_seq (fun n => vsum a (Z.of_nat n) u) (l - F (IZR a)).
+Proof.
+  intros F u a l S L.
+  apply (is_lim_seq_ext_loc (fun n => F (INR n + 1) - F (IZR a))).
+  - exists (Z.to_nat a). intros n N.
+    rewrite <- rsum_IZR, (rsum_differences F u).
+    + now rewrite <- INR_IZR_INZ.
+    + is_integer.
+    + is_integer.
+    + rewrite <- minus_IZR. apply IZR_le. lia.
+    + intros m M K _. now apply S.
+  - apply is_lim_seq_minus'; [| apply is_lim_seq_const].
+    apply (is_lim_comp_seq F (fun n => INR n + 1) p_infty l L).
+    + exists O. discriminate.
+    + apply (is_lim_seq_plus _ _ p_infty 1); [apply is_lim_seq_INR | apply is_lim_seq_const | reflexivity].
+Qed.
+
+(* Written-out sums and products, term by term. *)
+
+Ltac whole z :=
+  lazymatch z with
+  | Z0 => idtac
+  | Zpos _ => idtac
+  | Zneg _ => idtac
+  end.
+
+Ltac unroll :=
+  rewrite ?rsum_IZR, ?rprod_IZR;
+  repeat match goal with
+  | |- context [vsum ?a ?b ?u] =>
+    let n := eval compute in (Z.to_nat (b - a + 1)) in
+    change (vsum a b u) with (sum_terms u a n)
+  | |- context [vprod ?a ?b ?u] =>
+    let n := eval compute in (Z.to_nat (b - a + 1)) in
+    change (vprod a b u) with (product_terms u a n)
+  end;
+  cbn [sum_terms product_terms];
+  repeat match goal with
+  | |- context [IZR (?a + Z.of_nat ?m)] =>
+    let z := eval compute in (a + Z.of_nat m)%Z in
+    whole z; change (a + Z.of_nat m)%Z with z
+  end;
+  cbv beta.
+
+Example unroll_1 : rsum 1 5 (fun n => n ^ 2) = 55.
+Proof. unroll. ring. Qed.
+
+Example unroll_2 : rprod 1 5 (fun n => n) + rsum (-2) 2 (fun n => n) + vsum 3 2 (fun n => n) = 120.
+Proof. unroll. ring. Qed.
+
+Example sum_1 : forall n : R, integer n -> n >= 0 -> rsum 1 n (fun k => k ^ 3) = (n * (n + 1) / 2) ^ 2.
+Proof.
+  intros n N P. apply (rsum_closed (fun n => (n * (n + 1) / 2) ^ 2)); [is_integer | is_integer | lra | field | intros; field].
+Qed.
+
+Example sum_2 : forall n x : R, integer n -> n >= 0 -> x <> 1 -> rsum 0 n (fun k => rpow x k) = (1 - rpow x (n + 1)) / (1 - x).
+Proof.
+  intros n x N P X. apply (rsum_closed (fun n => (1 - rpow x (n + 1)) / (1 - x))); [is_integer | is_integer | lra | |].
+  - replace (0 - 1 + 1) with (IZR 0) by ring. rewrite rpow_IZR. simpl. field. lra.
+  - intros m M L _. rewrite (PowerOfSum x (m + 1 + 1) (m + 1) 1); [| ring | is_integer | is_integer | lra | lra].
+    rewrite (rpow_IZR x 1). simpl. field. lra.
+Qed.
