@@ -720,6 +720,25 @@ Proof. exact D_rpow. Qed.
 
 (* Differentiation by the rules; what is left are side conditions and the equation of derivatives. *)
 
+Ltac no_fact t :=
+  lazymatch goal with
+  | _ : t ^ _ = _ |- _ => fail
+  | _ => idtac
+  end.
+
+Ltac signs_of_square_roots :=
+  repeat match goal with
+  | |- context [root 2 ?x] => change (root 2 x) with (sqrt x)
+  end;
+  repeat match goal with
+  | |- context [sqrt ?x] =>
+    no_fact (sqrt x);
+    let H := fresh in
+    let K := fresh in
+    assert (H : sqrt x ^ 2 = x) by (apply pow2_sqrt; nra);
+    assert (K : 0 <= sqrt x) by apply sqrt_pos
+  end.
+
 Ltac side_condition :=
   cbv beta;
   first
@@ -741,7 +760,8 @@ Ltac side_condition :=
     | |- _ ^ _ <> 0 => apply pow_nonzero; side_condition
     end
   | nra
-  | enclose ].
+  | enclose
+  | signs_of_square_roots; nra ].
 
 Ltac derive_node :=
   lazymatch goal with
@@ -823,11 +843,39 @@ Ltac integer_powers :=
     let n := eval compute in (Pos.to_nat p) in change (powerRZ x (Zneg p)) with (/ x ^ n)
   end.
 
+(* What powers of roots and sines are, of one root or sine of the goal that has no such fact yet. *)
+Ltac new_fact H :=
+  match goal with
+  | |- context [sqrt ?x] => no_fact (sqrt x); assert (H : sqrt x ^ 2 = x) by (apply pow2_sqrt; side_condition)
+  | |- context [root ?n ?x] =>
+    no_fact (root n x); assert (H : root n x ^ n = x) by (apply RootPower; [lia | intro; side_condition])
+  | |- context [sin ?x] =>
+    no_fact (sin x);
+    assert (H : sin x ^ 2 = 1 - cos x ^ 2) by (generalize (Pythagoras x); intro; lra)
+  end.
+
+Ltac equal_by_facts :=
+  let A := fresh in
+  new_fact A;
+  first
+  [ solve [ring [A] | field [A]; side_condition]
+  | let B := fresh in
+    new_fact B;
+    first
+    [ solve [ring [A B] | field [A B]; side_condition]
+    | let D := fresh in
+      new_fact D;
+      first
+      [ solve [ring [A B D] | field [A B D]; side_condition]
+      | let E := fresh in
+        new_fact E;
+        solve [ring [A B D E] | field [A B D E]; side_condition] ] ] ].
+
 Ltac equal_values :=
   first
   [ reflexivity
   | ring
-  | numerals; integer_powers; first [ring | solve [field; side_condition]] ].
+  | numerals; integer_powers; first [ring | solve [field; side_condition] | solve [equal_by_facts]] ].
 
 Ltac derivatives_equal :=
   cbv beta; cbn [Nat.pred];
@@ -874,6 +922,27 @@ Proof. intros x H. differentiate. Qed.
 Example differentiate_9 : forall (F f : R -> R) (x : R), is_derive F x (f x) -> F x > 0 ->
   is_derive (fun t => ln (F t) + powerRZ (F t) (-2)) x (f x / F x - 2 * f x / F x ^ 3).
 Proof. intros F f x D H. differentiate. Qed.
+
+Example differentiate_10 : forall x : R, -1 < x < 1 -> is_derive (fun t => asin t / 2 + t * root 2 (1 - t ^ 2) / 2) x (root 2 (1 - x ^ 2)).
+Proof. intros x H. differentiate. Qed.
+
+Example differentiate_11 : forall x : R, cos x <> 0 -> is_derive (fun t => tan t - sin t ^ 3 / cos t) x (1 - 2 * sin x ^ 2).
+Proof. intros x H. differentiate. Qed.
+
+Example differentiate_12 : forall x : R, 0 < x -> is_derive (fun t => t * root 3 t) x (4 / 3 * root 3 x).
+Proof. intros x H. differentiate. Qed.
+
+Example differentiate_13 : forall x : R, 0 < x -> is_derive (root 3) x (1 / (3 * root 3 x ^ 2)).
+Proof. intros x H. differentiate. Qed.
+
+Example differentiate_14 : forall a x : R, is_derive (fun t => exp (a * t) / (a ^ 2 + 1) * (a * sin t - cos t)) x (exp (a * x) * sin x).
+Proof. intros a x. differentiate. Qed.
+
+Example differentiate_15 : forall x : R, is_derive (fun t => t / 2 - sin t * cos t / 2) x (sin x ^ 2).
+Proof. intro x. differentiate. Qed.
+
+Example differentiate_16 : forall x : R, is_derive (fun t => ln (t + root 2 (t ^ 2 + 1))) x (1 / root 2 (x ^ 2 + 1)).
+Proof. intro x. differentiate. Qed.
 
 (* Complex numbers: principal values of logarithms, roots, powers and inverse functions. *)
 

@@ -564,11 +564,7 @@ Qed.
 Example integral_2 : RInt (fun t => root 2 (1 - t ^ 2)) 0 1 = PI / 4.
 Proof.
   integrate (fun t => asin t / 2 + t * sqrt (1 - t ^ 2) / 2).
-  - assert (S : sqrt (1 - x ^ 2) * sqrt (1 - x ^ 2) = 1 - x ^ 2) by (apply sqrt_sqrt; nra).
-    assert (N : sqrt (1 - x ^ 2) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0; nra).
-    unfold root. apply (Rmult_eq_reg_r (sqrt (1 - x ^ 2))); [| exact N]. field_simplify; [| exact N].
-    simpl in *. nra.
-  - rewrite asin_1, asin_0. replace (1 - 1 ^ 2) with 0 by ring. rewrite sqrt_0. lra.
+  rewrite asin_1, asin_0. replace (1 - 1 ^ 2) with 0 by ring. rewrite sqrt_0. lra.
 Qed.
 
 Example integral_3 : is_RInt_gen (fun t => exp (- t)) (at_point 0) (Rbar_locally p_infty) 1.
