@@ -28,7 +28,7 @@ pub struct AxiomRow {
 
 /// A condition that an instance needs, or its conclusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Guard {
+pub enum Guard {
     Holds(Property, Term),
     Defined(Term),
     Real(Term),
@@ -70,7 +70,7 @@ impl Axiom {
     ///
     /// # Errors
     /// A [`Refusal`] where there is no such axiom, it has another number of letters, or an index or exponent is not written out.
-    pub(super) fn instance(&self, terms: &mut Terms) -> Result<(Vec<Guard>, Guard), Refusal> {
+    pub fn instance(&self, terms: &mut Terms) -> Result<(Vec<Guard>, Guard), Refusal> {
         let row = AxiomRow::named(self.name).filter(|row| row.letters.len() == self.terms.len());
         let row = row.ok_or_else(|| Refusal::Other("there is no such axiom of as many letters".into()))?;
         let letters: Vec<(&str, Term)> = row.letters.iter().copied().zip(self.terms.iter().copied()).collect();

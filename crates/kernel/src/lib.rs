@@ -37,7 +37,7 @@ mod verdict;
 mod witness;
 mod words;
 
-pub use axiom::{AXIOMS, Axiom, AxiomRow};
+pub use axiom::{AXIOMS, Axiom, AxiomRow, Guard};
 pub use certificate::{Certificate, Inference, LawSource, Summand};
 pub use check::{Checker, Fact};
 pub use draft::{Draft, Parts};

@@ -37,6 +37,7 @@ mod point;
 mod powers;
 mod print;
 mod proof;
+pub mod rocq;
 mod roots;
 mod script;
 mod session;

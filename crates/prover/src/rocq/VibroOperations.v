@@ -1,8 +1,8 @@
-(* Limits at a point, integrals, sums and products of the prover's formulas, over the theorems of axioms.v. *)
+(* Limits at a point, integrals, sums and products of the prover's formulas, over the theorems of VibroAxioms.v. *)
 
 Require Import Reals Lra Lia.
 Require Import Coquelicot.Coquelicot.
-Require Import axioms.
+Require Import VibroAxioms.
 Open Scope R_scope.
 
 (* Continuity: a rule for each operation, to be applied one node at a time. *)

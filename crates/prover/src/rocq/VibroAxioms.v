@@ -816,6 +816,8 @@ Ltac derive_node :=
   | |- is_derive (fun t => asin (@?f t)) ?x _ => refine (D_asin f x _ _ _)
   | |- is_derive (fun t => acos (@?f t)) ?x _ => refine (D_acos f x _ _ _)
   | |- is_derive (fun t => Rabs (@?f t)) ?x _ => refine (D_Rabs f x _ _ _)
+  | H : forall u : R, is_derive ?F u _ |- is_derive (fun t => ?F t) ?x _ => exact (H x)
+  | H : forall u : R, is_derive ?F u _ |- is_derive (fun t => ?F (@?f t)) ?x _ => refine (D_chain F f x _ _ (H (f x)) _)
   | |- is_derive (fun t => _) _ _ => eassumption
   | |- is_derive ?f ?x ?l => first [eassumption | progress change (is_derive (fun t => f t) x l)]
   end.

@@ -1,0 +1,258 @@
+(* The steps of a proof as lemmas: terms and their numerators, linear combinations, signs, cases. *)
+Require Import Reals Lra Lia Psatz Nsatz.
+Require Import Coquelicot.Coquelicot.
+Require Export VibroAxioms VibroOperations.
+Open Scope R_scope.
+
+(* P is the numerator of the term T, which divides by what D is made of. *)
+Lemma numerator_zero T D P : T = 0 -> P = T * D -> P = 0.
+Proof. intros -> ->. ring. Qed.
+
+Lemma numerator_nonzero T D P : T <> 0 -> D <> 0 -> P = T * D -> P <> 0.
+Proof. intros HT HD ->. apply Rmult_integral_contrapositive_currified; assumption. Qed.
+
+Lemma numerator_positive T S P : T > 0 -> S <> 0 -> P = T * S ^ 2 -> P > 0.
+Proof. intros HT HS ->. apply Rmult_gt_0_compat; [assumption|]. apply Rlt_gt. rewrite <- Rsqr_pow2. apply Rlt_0_sqr. assumption. Qed.
+
+Lemma numerator_nonnegative T S P : T >= 0 -> P = T * S ^ 2 -> P >= 0.
+Proof. intros HT ->. apply Rle_ge. apply Rmult_le_pos; [apply Rge_le; assumption|]. apply pow2_ge_0. Qed.
+
+(* A term from a fact F, a multiple of its numerator. *)
+Lemma zero_of T D c F : F = 0 -> D <> 0 -> T * D = c * F -> T = 0.
+Proof. intros -> HD E. rewrite Rmult_0_r in E. apply Rmult_integral in E. tauto. Qed.
+
+Lemma nonzero_of T D c F : F <> 0 -> c <> 0 -> T * D = c * F -> T <> 0.
+Proof. intros HF Hc E Z. rewrite Z, Rmult_0_l in E. symmetry in E. apply Rmult_integral in E. tauto. Qed.
+
+Lemma positive_of T S c F : F > 0 -> c > 0 -> T * S ^ 2 = c * F -> T > 0.
+Proof.
+  intros HF Hc E. assert (0 < T * S ^ 2) by (rewrite E; apply Rmult_lt_0_compat; assumption).
+  assert (0 <= S ^ 2) by apply pow2_ge_0. nra.
+Qed.
+
+Lemma nonnegative_of T S c F : F >= 0 -> c > 0 -> S <> 0 -> T * S ^ 2 = c * F -> T >= 0.
+Proof.
+  intros HF Hc HS E. assert (0 <= T * S ^ 2) by (rewrite E; apply Rmult_le_pos; lra).
+  assert (0 < S ^ 2) by (rewrite <- Rsqr_pow2; apply Rlt_0_sqr; assumption). apply Rle_ge. nra.
+Qed.
+
+(* A linear combination of what is 0 is 0. *)
+Lemma no_terms : 0 = 0.
+Proof. reflexivity. Qed.
+
+Lemma term c F r : F = 0 -> r = 0 -> c * F + r = 0.
+Proof. intros -> ->. ring. Qed.
+
+(* A product of what is not 0, of what is positive, of what is not negative. *)
+Lemma no_factors : 1 <> 0.
+Proof. apply R1_neq_R0. Qed.
+
+Lemma factor F n r : F <> 0 -> r <> 0 -> F ^ n * r <> 0.
+Proof. intros HF Hr. apply Rmult_integral_contrapositive_currified; [apply pow_nonzero; assumption|assumption]. Qed.
+
+Lemma no_positive : 1 > 0.
+Proof. apply Rlt_0_1. Qed.
+
+Lemma positive_factor F n r : F > 0 -> r > 0 -> F ^ n * r > 0.
+Proof. intros HF Hr. apply Rmult_gt_0_compat; [apply pow_lt; assumption|assumption]. Qed.
+
+Lemma no_nonnegative : 1 >= 0.
+Proof. lra. Qed.
+
+Lemma nonnegative_factor F r : F >= 0 -> r >= 0 -> F * r >= 0.
+Proof. intros HF Hr. apply Rle_ge. apply Rmult_le_pos; apply Rge_le; assumption. Qed.
+
+(* Summands: a positive number times such a product times a square. *)
+Lemma no_summands : 0 >= 0.
+Proof. lra. Qed.
+
+Lemma summand c p q r : c > 0 -> p >= 0 -> r >= 0 -> c * p * q ^ 2 + r >= 0.
+Proof.
+  intros Hc Hp Hr. assert (0 <= c * p) by (apply Rmult_le_pos; lra). assert (0 <= q ^ 2) by apply pow2_ge_0.
+  assert (0 <= c * p * q ^ 2) by (apply Rmult_le_pos; assumption). lra.
+Qed.
+
+Lemma strict_summand c p q r : c > 0 -> p > 0 -> q <> 0 -> r >= 0 -> c * p * q ^ 2 + r > 0.
+Proof.
+  intros Hc Hp Hq Hr. assert (0 < c * p) by (apply Rmult_lt_0_compat; assumption).
+  assert (0 < q ^ 2) by (rewrite <- Rsqr_pow2; apply Rlt_0_sqr; assumption).
+  assert (0 < c * p * q ^ 2) by (apply Rmult_lt_0_compat; assumption). lra.
+Qed.
+
+Lemma later_summand c p q r : c > 0 -> p >= 0 -> r > 0 -> c * p * q ^ 2 + r > 0.
+Proof.
+  intros Hc Hp Hr. assert (0 <= c * p) by (apply Rmult_le_pos; lra). assert (0 <= q ^ 2) by apply pow2_ge_0.
+  assert (0 <= c * p * q ^ 2) by (apply Rmult_le_pos; assumption). lra.
+Qed.
+
+(* The steps `zero`, `nonzero` and `sign`: the factors times a power of the target are a combination. *)
+Lemma zero_step t p c f : f <> 0 -> c = 0 -> f * t ^ p = c -> t = 0.
+Proof.
+  intros Hf -> E. apply Rmult_integral in E. destruct E as [E|E]; [tauto|].
+  destruct (Req_dec t 0) as [Z|Z]; [assumption|]. exfalso. revert E. apply pow_nonzero. assumption.
+Qed.
+
+Lemma squares_step t p c f s : f <> 0 -> c = 0 -> s >= 0 -> f * ((t ^ p) ^ 2 + s) = c -> t = 0.
+Proof.
+  intros Hf -> Hs E. apply Rmult_integral in E. destruct E as [E|E]; [tauto|].
+  destruct (Req_dec t 0) as [Z|Z]; [assumption|]. exfalso.
+  assert (0 < (t ^ p) ^ 2) by (rewrite <- Rsqr_pow2; apply Rlt_0_sqr; apply pow_nonzero; assumption). lra.
+Qed.
+
+Lemma nonzero_step t k c f : f <> 0 -> c = 0 -> k * t = f + c -> t <> 0.
+Proof. intros Hf -> E Z. apply Hf. rewrite Z in E. rewrite Rmult_0_r, Rplus_0_r in E. symmetry. assumption. Qed.
+
+Lemma positive_step t c f s : f > 0 -> c = 0 -> s > 0 -> f * t = s + c -> t > 0.
+Proof. intros Hf -> Hs E. rewrite Rplus_0_r in E. rewrite <- E in Hs. nra. Qed.
+
+Lemma nonnegative_step t c f s : f > 0 -> c = 0 -> s >= 0 -> f * t = s + c -> t >= 0.
+Proof. intros Hf -> Hs E. rewrite Rplus_0_r in E. rewrite <- E in Hs. apply Rle_ge. nra. Qed.
+
+Lemma squeezed a b : a >= 0 -> b >= 0 -> b = - a -> a = 0.
+Proof. intros. lra. Qed.
+
+Lemma by_order a : a > 0 \/ a = 0 \/ - a > 0.
+Proof. destruct (Rtotal_order a 0) as [H|[H|H]]; [right; right; lra|right; left; assumption|left; assumption]. Qed.
+
+Lemma by_zero a : a = 0 \/ a <> 0.
+Proof. apply Req_dec. Qed.
+
+Lemma is_INR n p : p = IZR (Z.of_nat n) -> p = INR n.
+Proof. intros ->. symmetry. apply INR_IZR_INZ. Qed.
+
+Lemma is_negative_INR n p : p = - IZR (Z.of_nat n) -> p = - INR n.
+Proof. intros ->. rewrite INR_IZR_INZ. reflexivity. Qed.
+
+Lemma abs_is_root x : Rabs x = sqrt (x ^ 2).
+Proof. rewrite <- Rsqr_pow2. symmetry. apply sqrt_Rsqr_abs. Qed.
+
+(* That what a term divides by is not 0, from what is known. *)
+Ltac is_known_nonzero :=
+  first
+    [ assumption
+    | apply Rgt_not_eq; assumption
+    | apply PI_neq0
+    | lra
+    | match goal with
+      | H : ?q <> 0 |- ?e <> 0 => intro; apply H; lra
+      | H : ?q > 0 |- ?e <> 0 => intro; cut (q = 0); [lra|lra]
+      end
+    | match goal with |- ?a * ?b <> 0 => apply Rmult_integral_contrapositive_currified; is_known_nonzero end
+    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end ].
+
+Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_known_nonzero.
+
+(* Equality of quotients of polynomials. *)
+Ltac same_fraction := first [ring | field; nonzero].
+
+(* Printed functions by those of the proof. *)
+Ltac by_definition := unfold tan, sinh, cosh, tanh; rewrite ?abs_is_root.
+Ltac by_definition_in H := unfold tan, sinh, cosh, tanh in H; rewrite ?abs_is_root in H.
+
+(* A property of a term from what is printed. *)
+Ltac as_printed H :=
+  by_definition_in H;
+  first
+    [ exact H
+    | exact (Rminus_diag_eq _ _ H)
+    | exact (Rminus_eq_contra _ _ H)
+    | exact (Rgt_minus _ _ H)
+    | exact (Rge_minus _ _ H)
+    | lra
+    | apply Rminus_eq_contra; intro; apply H; lra
+    | apply Rminus_diag_eq; same_printed H ]
+with same_printed H := first [rewrite <- H | rewrite H]; same_fraction.
+
+(* What is 0 at every time has the slope 0. *)
+Lemma slope_of_zero (f g : R -> R) : (forall t : R, f t = 0) -> (forall t : R, is_derive f t (g t)) -> forall t : R, g t = 0.
+Proof.
+  intros Hf Hg t. transitivity (Derive f t); [symmetry; apply is_derive_unique; apply Hg|]. apply is_derive_unique. apply is_derive_ext with (f := fun _ => 0); [intro; symmetry; apply Hf|].
+  apply D_const.
+Qed.
+
+Ltac differentiate_smooth :=
+  repeat match goal with H : forall T, is_derive ?f T (?g T) |- context [?f ?t] =>
+    lazymatch goal with
+    | K : is_derive f t (g t) |- _ => fail
+    | _ => pose proof (H t)
+    end
+  end;
+  differentiate.
+
+(* The printed claim from the goal that steps have shown. *)
+Ltac conclude W :=
+  first
+    [ exact W
+    | exact (Rminus_diag_uniq _ _ W)
+    | by_definition;
+      first
+        [ exact W
+        | exact (Rminus_diag_uniq _ _ W)
+        | exact (Rminus_not_eq _ _ W)
+        | lra
+        | let Z := fresh in intro Z; apply W; lra
+        | apply Rminus_diag_uniq; rewrite <- W; same_fraction ] ].
+
+(* Values at a point: functions at arguments where they have well-known values. *)
+Ltac known_values :=
+  rewrite ?sin_0, ?cos_0, ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?exp_0, ?ln_1, ?sqrt_0, ?sqrt_1, ?atan_0, ?tan_0.
+
+Lemma root_squared a : 0 <= a -> sqrt a ^ 2 = a.
+Proof. intro H. rewrite <- Rsqr_pow2. apply Rsqr_sqrt. assumption. Qed.
+
+(* Square roots of closed terms become letters with a square. *)
+Ltac roots_as_letters :=
+  repeat
+    match goal with
+    | |- context [sqrt ?a] =>
+      lazymatch a with
+      | context [sqrt _] => fail
+      | _ =>
+        let H := fresh "R" in
+        assert (H : sqrt a ^ 2 = a) by (apply root_squared; first [lra | apply Rlt_le; enclose]);
+        revert H; generalize (sqrt a); intros ? H
+      end
+    end.
+
+Ltac equal_at_point :=
+  first
+    [ reflexivity
+    | lra
+    | ring
+    | field; nonzero
+    | progress known_values; equal_at_point
+    | progress roots_as_letters; first [solve [nsatz] | solve [field_simplify_eq; first [nsatz | nonzero]]] ].
+
+(* A closed proposition, by evaluation. *)
+Ltac at_point :=
+  by_definition;
+  match goal with
+  | |- forall _, _ => intros; at_point
+  | |- ?a = ?b => equal_at_point
+  | |- ?a <> ?b => first [lra | apply Rminus_not_eq; enclose | intro; lra]
+  | |- ?a > ?b => first [lra | apply Rminus_gt; enclose]
+  | |- ?a < ?b => first [lra | apply Rminus_gt_0_lt; apply Rgt_lt; enclose]
+  | |- ?a >= ?b => first [lra | apply Rgt_ge; apply Rminus_gt; enclose | apply Req_ge; equal_at_point]
+  | |- ?a <= ?b => first [lra | apply Rlt_le; apply Rminus_gt_0_lt; apply Rgt_lt; enclose | apply Req_le; equal_at_point]
+  | |- integer _ => is_integer
+  end.
+
+(* The next hypothesis of a theorem at a point. *)
+Ltac meet X :=
+  match type of X with
+  | ?P -> _ => let H := fresh "M" in assert (H : P); [at_point | specialize (X H); clear H]
+  end.
+
+(* A closed claim fails. *)
+Ltac fails X :=
+  by_definition_in X;
+  first
+    [ lra
+    | match type of X with
+      | ?a = ?b => let N := fresh in assert (N : a - b <> 0) by enclose; apply N; lra
+      | ?a <> ?b => apply X; equal_at_point
+      | ?a > ?b => first [cut (b - a > 0); [intro; lra | enclose] | cut (a = b); [intro; lra | equal_at_point]]
+      | ?a < ?b => first [cut (a - b > 0); [intro; lra | enclose] | cut (a = b); [intro; lra | equal_at_point]]
+      | ?a >= ?b => cut (b - a > 0); [intro; lra | enclose]
+      | ?a <= ?b => cut (a - b > 0); [intro; lra | enclose]
+      end ].

@@ -1,0 +1,963 @@
+//! The steps of a certificate as assertions of Rocq, each with a proof that needs no search: those that nothing rests on are left out.
+
+use super::text::{Names, Unwritten, Writer, number, property};
+use kernel::{
+    Axiom, AxiomRow, Certificate, Checker, EFFORT, Guard, Inference, LawSource, Node, Polynomial, Property, Quotient,
+    Statement, Summand, Symbol, Term, vanishes,
+};
+use num_traits::{One, Zero};
+use numbers::Rational;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// What a step rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Ground {
+    Fact(usize),
+    Law(usize),
+    Given(usize),
+    /// An abbreviation of the statement, by its symbol.
+    Definition(u32),
+    /// A term that has a name.
+    Named(Term),
+    /// A term in generic symbols that is taken not to be 0.
+    Generic(Term),
+}
+
+pub type Grounds = BTreeSet<Ground>;
+
+/// A step that is written out: what it adds, and what it rests on.
+struct Written {
+    adds: Ground,
+    /// Its text, or why it has none.
+    text: Result<String, Unwritten>,
+    on: Grounds,
+}
+
+/// A proof that is being written.
+pub struct Steps<'a> {
+    checker: Checker<'a>,
+    pub names: Names,
+    whole: BTreeSet<Term>,
+    on: Grounds,
+    /// The times over which derived laws run.
+    times: BTreeMap<usize, Symbol>,
+}
+
+type Text = Result<String, Unwritten>;
+
+const NO_SUCH: Unwritten = Unwritten::Not("a step that rests on what is not known");
+
+/// The tactic for an equation of polynomials: without fractions the quicker one.
+fn equal(sides: &str) -> &'static str {
+    if sides.contains(" / ") { "field" } else { "ring" }
+}
+
+fn ratio(of: &Polynomial, by: &Polynomial) -> Option<Rational> {
+    let (above, below) = (of.terms().first()?, by.terms().first()?);
+    Some(Rational(&above.1 / &below.1))
+}
+
+impl<'a> Steps<'a> {
+    pub fn new(statement: &'a mut Statement, certificate: &Certificate) -> Self {
+        Self {
+            checker: Checker::new(statement, certificate, EFFORT),
+            names: Names::default(),
+            whole: certificate.whole.iter().copied().collect(),
+            on: Grounds::new(),
+            times: BTreeMap::new(),
+        }
+    }
+
+    pub fn statement(&mut self) -> &mut Statement {
+        self.checker.statement
+    }
+
+    /// Writes with what is known here; generators by their names, or written out.
+    pub fn write(&mut self, is_short: bool, write: &mut dyn FnMut(&mut Writer) -> Text) -> Text {
+        let mut writer = Writer {
+            statement: &*self.checker.statement,
+            names: &mut self.names,
+            whole: &self.whole,
+            is_short,
+            met: BTreeSet::new(),
+        };
+        let text = write(&mut writer);
+        let met = std::mem::take(&mut writer.met);
+        self.on.extend(met.into_iter().map(Ground::Named));
+        text
+    }
+
+    pub fn short(&mut self, term: Term) -> Text {
+        self.write(true, &mut |writer| writer.term(term))
+    }
+
+    pub fn full(&mut self, term: Term) -> Text {
+        self.write(false, &mut |writer| writer.term(term))
+    }
+
+    fn polynomial(&mut self, polynomial: &Polynomial) -> Text {
+        self.write(true, &mut |writer| writer.polynomial(polynomial))
+    }
+
+    fn full_polynomial(&mut self, polynomial: &Polynomial) -> Text {
+        self.write(false, &mut |writer| writer.polynomial(polynomial))
+    }
+
+    fn fact(&mut self, number: usize) -> String {
+        self.on.insert(Ground::Fact(number));
+        format!("F{number}")
+    }
+
+    fn given(&mut self, number: usize) -> String {
+        self.on.insert(Ground::Given(number));
+        format!("G{number}")
+    }
+
+    fn polynomial_of(&self, fact: usize) -> Result<Polynomial, Unwritten> {
+        let fact = self.checker.facts.get(fact).ok_or(NO_SUCH)?;
+        Ok(fact.polynomial.clone())
+    }
+
+    fn property_of(&self, fact: usize) -> Result<Property, Unwritten> {
+        Ok(self.checker.facts.get(fact).ok_or(NO_SUCH)?.property)
+    }
+
+    /// The proof that a fact, positive or other than 0, is not 0.
+    fn nonzero_fact(&mut self, number: usize) -> Text {
+        let name = self.fact(number);
+        Ok(match self.property_of(number)? {
+            Property::Positive => format!("(Rgt_not_eq _ _ {name})"),
+            _ => name,
+        })
+    }
+
+    fn nonnegative_fact(&mut self, number: usize) -> Text {
+        let name = self.fact(number);
+        Ok(match self.property_of(number)? {
+            Property::Positive => format!("(Rgt_ge _ _ {name})"),
+            Property::Zero => format!("(Req_ge _ _ {name})"),
+            _ => name,
+        })
+    }
+
+    fn quotient(&mut self, term: Term) -> Result<Quotient, Unwritten> {
+        let terms = self.checker.statement.terms().clone();
+        Ok(self.checker.expansion.of(&terms, term)?)
+    }
+
+    /// The product of powers of divisors; `halved` for the one whose square makes the powers even.
+    fn divisors(&mut self, quotient: &Quotient, is_halved: bool) -> Text {
+        let mut factors = Vec::new();
+        for (divisor, power) in &quotient.divisors {
+            let power = if is_halved { power.div_ceil(2) } else { *power };
+            factors.push(format!("{} ^ {power}", self.polynomial(divisor)?));
+            self.rests_on_nonzero(divisor);
+        }
+        Ok(match factors.is_empty() {
+            true => "1".to_owned(),
+            false => format!("({})", factors.join(" * ")),
+        })
+    }
+
+    /// Notes the facts that show that a polynomial is not 0.
+    fn rests_on_nonzero(&mut self, polynomial: &Polynomial) {
+        let shows = |fact: &kernel::Fact| {
+            matches!(fact.property, Property::Nonzero | Property::Positive)
+                && fact.polynomial.is_multiple_of(polynomial)
+        };
+        let found = self.checker.facts.iter().position(shows);
+        self.on.extend(found.map(Ground::Fact));
+    }
+
+    /// Notes what shows that no divisor within a term is 0.
+    fn rests_on_divisors(&mut self, term: Term) -> Result<(), Unwritten> {
+        let mut open = vec![term];
+        let mut below = BTreeSet::new();
+        while let Some(term) = open.pop() {
+            if self.whole.contains(&term) {
+                continue;
+            }
+            match self.checker.statement.terms().node(term) {
+                Node::Sum(parts) | Node::Product(parts) => open.extend(parts),
+                Node::Power(base, _) => open.push(*base),
+                Node::Quotient(upper, lower) => {
+                    open.extend([*upper, *lower]);
+                    below.insert(*lower);
+                }
+                _ => {}
+            }
+        }
+        for lower in below {
+            let quotient = self.quotient(lower)?;
+            self.rests_on_nonzero(&quotient.numerator);
+        }
+        Ok(())
+    }
+
+    /// The numerator of a term as facts have it: times the divisors of odd power where its sign is meant.
+    fn numerator(&mut self, shown: Property, quotient: &Quotient) -> Result<Polynomial, Unwritten> {
+        let mut product = quotient.numerator.clone();
+        if matches!(shown, Property::Positive | Property::NonNegative) {
+            for (divisor, power) in &quotient.divisors {
+                if power % 2 == 1 {
+                    product = self.checker.expansion.times(&product, divisor)?;
+                }
+            }
+        }
+        Ok(product)
+    }
+
+    /// The fact that says a property of a polynomial, up to a factor, with this factor.
+    fn saying(&self, shown: Property, polynomial: &Polynomial) -> Option<(usize, Rational)> {
+        use Property::{Integer, NonNegative, Nonzero, Positive, Zero};
+        let says = |fact: &kernel::Fact| {
+            let factor = ratio(polynomial, &fact.polynomial).unwrap_or_else(Rational::one);
+            let fits = match (fact.property, shown) {
+                (Integer, Integer) => return (fact.polynomial == *polynomial).then_some(factor),
+                (Zero, Zero | NonNegative) | (Nonzero | Positive, Nonzero) => true,
+                (Positive, Positive | NonNegative) | (NonNegative, NonNegative) => factor > Rational::zero(),
+                _ => false,
+            };
+            (fits && fact.polynomial.is_multiple_of(polynomial)).then_some(factor)
+        };
+        let mut facts = self.checker.facts.iter().enumerate();
+        facts.find_map(|(number, fact)| Some((number, says(fact)?)))
+    }
+
+    /// A fact that cannot be, where there is one.
+    fn absurd(&mut self) -> Option<String> {
+        let cannot_be = |fact: &kernel::Fact| {
+            fact.property == Property::Zero && !vanishes(&fact.polynomial) && fact.polynomial.as_constant().is_some()
+        };
+        let number = self.checker.facts.iter().position(cannot_be)?;
+        let name = self.fact(number);
+        Some(format!("exfalso; revert {name}; clear; intro; lra"))
+    }
+
+    /// The tactic that shows a property of a term.
+    pub fn shown(&mut self, shown: Property, term: Term) -> Text {
+        if let Some(text) = self.as_given(shown, term) {
+            return Ok(text);
+        }
+        self.rests_on_divisors(term)?;
+        let quotient = self.quotient(term)?;
+        let polynomial = self.numerator(shown, &quotient)?;
+        if shown == Property::Zero && vanishes(&polynomial) {
+            return Ok("same_fraction".into());
+        }
+        if shown == Property::NonNegative && vanishes(&polynomial) {
+            return Ok("apply Req_ge; same_fraction".into());
+        }
+        if let Some((number, factor)) = self.saying(shown, &polynomial) {
+            let factor = super::text::number(&factor);
+            let is_sign = matches!(shown, Property::Positive | Property::NonNegative);
+            let by = self.divisors(&quotient, is_sign)?;
+            return Ok(match shown {
+                Property::Zero => {
+                    let fact = self.fact(number);
+                    format!("refine (zero_of _ {by} {factor} _ {fact} _ _); [nonzero | same_fraction]")
+                }
+                Property::Nonzero => {
+                    let fact = self.nonzero_fact(number)?;
+                    format!("refine (nonzero_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
+                }
+                Property::Positive => {
+                    let fact = self.fact(number);
+                    format!("refine (positive_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
+                }
+                Property::NonNegative => {
+                    let fact = self.nonnegative_fact(number)?;
+                    format!("refine (nonnegative_of _ {by} {factor} _ {fact} _ _ _); [lra | nonzero | same_fraction]")
+                }
+                Property::Integer => format!("exact {}", self.fact(number)),
+            });
+        }
+        if self.checker.statement.sign_of(&polynomial).is_some() {
+            let full = self.full(term)?;
+            return Ok(format!("change ({}); enclose", property(shown, &full)));
+        }
+        if shown == Property::Integer {
+            return self.integer(&polynomial);
+        }
+        self.absurd().ok_or(NO_SUCH)
+    }
+
+    fn as_given(&mut self, shown: Property, term: Term) -> Option<String> {
+        let stronger: &[(Property, &str)] = match shown {
+            Property::Nonzero => &[(Property::Nonzero, ""), (Property::Positive, "apply Rgt_not_eq; ")],
+            Property::NonNegative => &[
+                (Property::NonNegative, ""),
+                (Property::Positive, "apply Rgt_ge; "),
+                (Property::Zero, "apply Req_ge; "),
+            ],
+            shown => &[(shown, "")],
+        };
+        stronger.iter().find_map(|(own, by)| {
+            let mut givens = self.checker.statement.givens().iter();
+            let number =
+                givens.position(|given| given.law.is_none() && given.property == *own && given.term == term)?;
+            Some(format!("{by}exact {}", self.given(number)))
+        })
+    }
+
+    /// The tactic that shows a property of a polynomial.
+    fn shown_polynomial(&mut self, shown: Property, polynomial: &Polynomial) -> Text {
+        if let Some(text) = self.absurd() {
+            return Ok(text);
+        }
+        if shown == Property::Zero && vanishes(polynomial) {
+            return Ok("reflexivity".into());
+        }
+        if shown == Property::NonNegative && vanishes(polynomial) {
+            return Ok("apply Req_ge; reflexivity".into());
+        }
+        if let Some((number, factor)) = self.saying(shown, polynomial) {
+            let factor = super::text::number(&factor);
+            return Ok(match shown {
+                Property::Zero => {
+                    let fact = self.fact(number);
+                    format!("refine (zero_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
+                }
+                Property::Nonzero => {
+                    let fact = self.nonzero_fact(number)?;
+                    format!("refine (nonzero_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
+                }
+                Property::Positive => {
+                    let fact = self.fact(number);
+                    format!("refine (positive_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
+                }
+                Property::NonNegative => {
+                    let fact = self.nonnegative_fact(number)?;
+                    format!("refine (nonnegative_of _ 1 {factor} _ {fact} _ _ _); [lra | lra | same_fraction]")
+                }
+                Property::Integer => format!("exact {}", self.fact(number)),
+            });
+        }
+        if self.checker.statement.sign_of(polynomial).is_some() {
+            let full = self.full_polynomial(polynomial)?;
+            return Ok(format!("change ({}); enclose", property(shown, &full)));
+        }
+        if shown == Property::Integer {
+            return self.integer(polynomial);
+        }
+        Err(NO_SUCH)
+    }
+
+    /// The tactic for an integer: sums and products of integers are integers.
+    fn integer(&mut self, polynomial: &Polynomial) -> Text {
+        let is_whole = polynomial
+            .terms()
+            .iter()
+            .all(|(_, coefficient)| Rational(coefficient.clone()).to_integer().is_some());
+        if !is_whole {
+            return Err(Unwritten::Not("a polynomial with fractions whose values are integers"));
+        }
+        for generator in polynomial.generators() {
+            self.as_given(Property::Integer, generator);
+            let found = self.saying(Property::Integer, &Polynomial::generator(generator));
+            self.on.extend(found.map(|(number, _)| Ground::Fact(number)));
+        }
+        Ok("is_integer".into())
+    }
+
+    /// Writes steps; those that come to nothing that is wanted are left out. Also gives what they rest on from before.
+    pub fn scope(
+        &mut self,
+        steps: &[Inference],
+        wanted: &mut dyn FnMut(&mut Self) -> Text,
+    ) -> Result<(String, Grounds), Unwritten> {
+        let mut written = Vec::new();
+        for step in steps {
+            let own = self.step(step)?;
+            written.push(own);
+        }
+        self.on.clear();
+        let end = wanted(self)?;
+        let mut on = std::mem::take(&mut self.on);
+        let mut kept = Vec::new();
+        for own in written.into_iter().rev() {
+            if on.remove(&own.adds) {
+                on.extend(own.on);
+                kept.push(own.text?);
+            }
+        }
+        kept.reverse();
+        Ok((kept.concat() + &end, on))
+    }
+
+    /// Follows a step and writes it; what cannot be written is only missed where something rests on it.
+    fn step(&mut self, step: &Inference) -> Result<Written, Unwritten> {
+        let (mark, place, laws) = (self.checker.mark(), self.checker.facts.len(), self.checker.laws());
+        self.on.clear();
+        let text = self.followed(step);
+        if text.is_err() {
+            self.checker.back_to(mark);
+            self.checker.apply(step)?;
+        }
+        let adds = match self.checker.laws() > laws {
+            true => Ground::Law(laws),
+            false => Ground::Fact(place),
+        };
+        Ok(Written {
+            adds,
+            text,
+            on: std::mem::take(&mut self.on),
+        })
+    }
+
+    fn followed(&mut self, step: &Inference) -> Text {
+        let place = self.checker.facts.len();
+        if let Inference::Derivative(source) = step {
+            return self.derivative(step, *source);
+        }
+        // what a proof rests on is what was known before
+        let before = self.before(step)?;
+        self.checker.apply(step)?;
+        let fact = self.checker.facts.get(place).cloned().ok_or(NO_SUCH)?;
+        let held = self.checker.facts.split_off(place);
+        let claimed = self.polynomial(&fact.polynomial)?;
+        let proof = match before {
+            Some(proof) => proof,
+            None => self.proof(step, &claimed)?,
+        };
+        self.checker.facts.extend(held);
+        // what ends in cases has ended
+        let end = if proof.ends_with('}') { "" } else { "." };
+        Ok(format!(
+            "assert (F{place} : {}).\n{{ {proof}{end} }}\n",
+            property(fact.property, &claimed)
+        ))
+    }
+
+    /// The proof of a step whose parts must be followed before it.
+    fn before(&mut self, step: &Inference) -> Result<Option<String>, Unwritten> {
+        let Inference::Cases {
+            on,
+            order,
+            property: shown,
+            target,
+            branches,
+        } = step
+        else {
+            return Ok(None);
+        };
+        let of = self.polynomial(on)?;
+        let place = self.checker.facts.len();
+        let cases = match order {
+            true => vec![
+                (Property::Positive, on.clone()),
+                (Property::Zero, on.clone()),
+                (Property::Positive, on.negated()),
+            ],
+            false => vec![(Property::Zero, on.clone()), (Property::Nonzero, on.clone())],
+        };
+        let mut text = match order {
+            true => format!("destruct (by_order {of}) as [C{place}|[C{place}|C{place}]]."),
+            false => format!("destruct (by_zero {of}) as [C{place}|C{place}]."),
+        };
+        let mut grounds = std::mem::take(&mut self.on);
+        for ((case, polynomial), steps) in cases.into_iter().zip(branches) {
+            let mark = self.checker.mark();
+            self.checker.suppose(case, polynomial.clone());
+            let (inner, mut on) = self.scope(steps, &mut |own| own.shown_polynomial(*shown, target))?;
+            self.checker.back_to(mark);
+            on.remove(&Ground::Fact(place));
+            grounds.extend(on);
+            let stated = self.polynomial(&polynomial)?;
+            grounds.append(&mut self.on);
+            let _ = write!(
+                text,
+                "\n{{ assert (F{place} : {}) by (clear - C{place}; lra).\n{inner}. }}",
+                property(case, &stated)
+            );
+        }
+        self.on = grounds;
+        Ok(Some(text))
+    }
+
+    /// The proof of the fact that a step adds.
+    fn proof(&mut self, step: &Inference, claimed: &str) -> Text {
+        match step {
+            Inference::Given(given) => {
+                let known = self.checker.statement.givens().get(*given).cloned().ok_or(NO_SUCH)?;
+                let name = self.given(*given);
+                self.of_term(known.property, known.term, &name)
+            }
+            Inference::Axiom(axiom) => self.axiom(axiom),
+            Inference::Unfold(term) => self.unfold(*term),
+            Inference::Enclosure(polynomial) => {
+                let full = self.full_polynomial(polynomial)?;
+                Ok(format!("change ({full} > 0); enclose"))
+            }
+            Inference::Zero {
+                target,
+                power,
+                squares,
+                factors,
+                terms,
+            } => self.zero(target, *power, squares, factors, terms),
+            Inference::Nonzero {
+                target,
+                cofactor,
+                factors,
+                terms,
+            } => {
+                let (sum, sum_proof) = self.combination(terms)?;
+                let (product, product_proof) = self.product(factors, Property::Nonzero)?;
+                let (target, cofactor) = (self.polynomial(target)?, self.polynomial(cofactor)?);
+                let by = equal(&[sum.as_str(), &product, &target, &cofactor].concat());
+                Ok(format!(
+                    "refine (nonzero_step {target} {cofactor} ({sum}) ({product}) {product_proof} {sum_proof} _); {by}"
+                ))
+            }
+            Inference::Sign {
+                target,
+                strict,
+                factors,
+                summands,
+                terms,
+            } => self.sign(target, *strict, factors, summands, terms),
+            Inference::Squeezed { low, high } => {
+                let (low, high) = (self.nonnegative_fact(*low)?, self.nonnegative_fact(*high)?);
+                Ok(format!("refine (squeezed _ _ {low} {high} _); {}", equal(claimed)))
+            }
+            Inference::Congruence { left, right } => self.congruence(*left, *right),
+            Inference::Generic(term) => {
+                self.on.insert(Ground::Generic(*term));
+                let name = format!("H{}", term.0);
+                self.of_term(Property::Nonzero, *term, &name)
+            }
+            Inference::Law { source, at: Some(at) } => self.law(*source, *at),
+            Inference::Law { .. } => Err(Unwritten::Not("a law that runs over an index")),
+            Inference::Between { .. } => Err(Unwritten::Not("an enclosure between bounds")),
+            Inference::Constant { .. } => Err(Unwritten::Not("a term whose derivative is 0")),
+            Inference::Along { .. } => Err(Unwritten::Not("a derivative along a map")),
+            Inference::Cases { .. } | Inference::Derivative(_) => Err(NO_SUCH),
+        }
+    }
+
+    /// The fact that comes of a property of a term that has a proof.
+    fn of_term(&mut self, shown: Property, term: Term, proof: &str) -> Text {
+        let text = self.short(term)?;
+        let quotient = self.quotient(term)?;
+        self.rests_on_divisors(term)?;
+        let is_sign = matches!(shown, Property::Positive | Property::NonNegative);
+        let by = self.divisors(&quotient, is_sign)?;
+        Ok(match shown {
+            Property::Zero => format!("refine (numerator_zero {text} {by} _ {proof} _); same_fraction"),
+            Property::Nonzero => {
+                format!("refine (numerator_nonzero {text} {by} _ {proof} _ _); [nonzero | same_fraction]")
+            }
+            Property::Positive => {
+                format!("refine (numerator_positive {text} {by} _ {proof} _ _); [nonzero | same_fraction]")
+            }
+            Property::NonNegative => format!("refine (numerator_nonnegative {text} {by} _ {proof} _); same_fraction"),
+            Property::Integer => format!("exact {proof}"),
+        })
+    }
+
+    fn axiom(&mut self, axiom: &Axiom) -> Text {
+        let row = AxiomRow::named(axiom.name).ok_or(NO_SUCH)?;
+        let (guards, conclusion) = axiom.instance(self.checker.statement.terms_mut())?;
+        let is_natural = |letter: &str| {
+            let whole = format!("{} ; {}", row.guards.join(" ; "), row.conclusion);
+            ["natural", "even", "odd"]
+                .iter()
+                .any(|kind| whole.contains(&format!("{kind}({letter})")))
+                || whole.contains(&format!("root({letter},"))
+        };
+        let has_root = row.letters.iter().any(|letter| {
+            let of = format!("root({letter},");
+            row.conclusion.contains(&of) || row.guards.iter().any(|guard| guard.contains(&of))
+        });
+        let mut text = String::new();
+        let mut call = row.name.to_owned();
+        for (letter, &term) in row.letters.iter().zip(&axiom.terms) {
+            let written = self.short(term)?;
+            let _ = match is_natural(letter) {
+                true => write!(call, " {written}%nat"),
+                false => write!(call, " {written}"),
+            };
+        }
+        if has_root {
+            call += " ltac:(lia)";
+        }
+        let mut count = 0;
+        for (guard, printed) in guards.iter().zip(&row.guards) {
+            match *guard {
+                Guard::Holds(shown, term) => {
+                    let own = self.short(term)?;
+                    let by = self.shown(shown, term)?;
+                    let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+                    call += &format!(" {}", relation(shown, printed, &format!("A{count}"), row));
+                    count += 1;
+                }
+                // a letter has a value whatever it is here
+                Guard::Defined(_) if !printed.trim_start_matches("defined(").contains('(') => {}
+                Guard::Defined(term) => {
+                    let domain = domain_of(self.checker.statement, term);
+                    if let Some(index) = domain.root {
+                        let proof = match (index % 2, domain.conditions.first()) {
+                            (0, Some(&(shown, of))) => {
+                                let own = self.short(of)?;
+                                let by = self.shown(shown, of)?;
+                                let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+                                format!(" (fun _ => A{count})")
+                            }
+                            _ => " ltac:(discriminate)".to_owned(),
+                        };
+                        call += &proof;
+                        count += 1;
+                        continue;
+                    }
+                    for (shown, of) in domain.conditions {
+                        let own = self.short(of)?;
+                        let by = self.shown(shown, of)?;
+                        let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+                        call += &format!(" A{count}");
+                        count += 1;
+                    }
+                }
+                Guard::Written("even" | "odd", _) => call += " eq_refl",
+                Guard::Written(..) | Guard::Real(_) => {}
+                Guard::Over(kind) if kind == "complex" => return Err(Unwritten::Not("complex numbers")),
+                Guard::Over(_) => {}
+            }
+        }
+        let Guard::Holds(shown, term) = conclusion else {
+            return Err(NO_SUCH);
+        };
+        let own = self.short(term)?;
+        let whole = match (row.conclusion.ends_with(" 0"), shown) {
+            (true, _) => format!("({call})"),
+            (false, Property::Zero) => format!("(Rminus_diag_eq _ _ ({call}))"),
+            (false, Property::Nonzero) => format!("(Rminus_eq_contra _ _ ({call}))"),
+            (false, Property::Positive) => format!("(Rgt_minus _ _ ({call}))"),
+            (false, _) => format!("(Rge_minus _ _ ({call}))"),
+        };
+        let _ = write!(text, "assert (B : {}) by exact {whole}.\n", property(shown, &own));
+        text += &self.of_term(shown, term, "B")?;
+        Ok(text)
+    }
+
+    fn unfold(&mut self, term: Term) -> Text {
+        if let Node::Symbol(symbol) = *self.checker.statement.terms().node(term) {
+            let meaning = self
+                .checker
+                .statement
+                .definitions()
+                .get(&symbol)
+                .copied()
+                .ok_or(NO_SUCH)?;
+            let difference = self.checker.statement.terms_mut().difference(term, meaning);
+            self.on.insert(Ground::Definition(symbol.0));
+            return self.of_term(
+                Property::Zero,
+                difference,
+                &format!("(Rminus_diag_eq _ _ D{})", symbol.0),
+            );
+        }
+        self.on.insert(Ground::Named(term));
+        let parts = self.checker.statement.terms().parts(term);
+        for part in parts {
+            self.rests_on_divisors(part)?;
+        }
+        Ok(format!("unfold g{}; same_fraction", term.0))
+    }
+
+    /// A sum of multiples of what is 0, and its proof.
+    fn combination(&mut self, terms: &[(Polynomial, usize)]) -> Result<(String, String), Unwritten> {
+        let (mut sum, mut proof) = (String::from("0"), String::from("no_terms"));
+        for (coefficient, number) in terms.iter().rev() {
+            let coefficient = self.polynomial(coefficient)?;
+            let polynomial = self.polynomial_of(*number)?;
+            let fact = self.polynomial(&polynomial)?;
+            let name = self.fact(*number);
+            sum = format!("{coefficient} * {fact} + ({sum})");
+            proof = format!("(term {coefficient} _ _ {name} {proof})");
+        }
+        Ok((sum, proof))
+    }
+
+    /// A product of powers of facts, and the proof that it is not 0, or positive.
+    fn product(&mut self, factors: &[(usize, u32)], shown: Property) -> Result<(String, String), Unwritten> {
+        let is_positive = shown == Property::Positive;
+        let none = if is_positive { "no_positive" } else { "no_factors" };
+        let (mut product, mut proof) = (String::from("1"), none.to_owned());
+        for (number, power) in factors.iter().rev() {
+            let polynomial = self.polynomial_of(*number)?;
+            let fact = self.polynomial(&polynomial)?;
+            let (name, lemma) = match is_positive {
+                true => (self.fact(*number), "positive_factor"),
+                false => (self.nonzero_fact(*number)?, "factor"),
+            };
+            product = format!("{fact} ^ {power} * ({product})");
+            proof = format!("({lemma} _ {power} _ {name} {proof})");
+        }
+        Ok((product, proof))
+    }
+
+    fn zero(
+        &mut self,
+        target: &Polynomial,
+        power: u32,
+        squares: &[(Rational, Polynomial)],
+        factors: &[(usize, u32)],
+        terms: &[(Polynomial, usize)],
+    ) -> Text {
+        if vanishes(target) {
+            return Ok("reflexivity".into());
+        }
+        let (sum, sum_proof) = self.combination(terms)?;
+        let (product, product_proof) = self.product(factors, Property::Nonzero)?;
+        let target = self.polynomial(target)?;
+        let mut sides = [sum.as_str(), &product, &target].concat();
+        if squares.is_empty() {
+            return Ok(format!(
+                "refine (zero_step {target} {power} ({sum}) ({product}) {product_proof} {sum_proof} _); {}",
+                equal(&sides)
+            ));
+        }
+        let (mut all, mut proof) = (String::from("0"), String::from("no_summands"));
+        for (factor, root) in squares.iter().rev() {
+            let (factor, root) = (number(factor), self.polynomial(root)?);
+            all = format!("{factor} * 1 * {root} ^ 2 + ({all})");
+            proof = format!("(summand {factor} 1 _ _ ltac:(lra) no_nonnegative {proof})");
+        }
+        sides += &all;
+        let half = power / 2;
+        Ok(format!(
+            "refine (squares_step {target} {half} ({sum}) ({product}) ({all}) {product_proof} {sum_proof} {proof} _); {}",
+            equal(&sides)
+        ))
+    }
+
+    fn sign(
+        &mut self,
+        target: &Polynomial,
+        strict: bool,
+        factors: &[(usize, u32)],
+        summands: &[Summand],
+        terms: &[(Polynomial, usize)],
+    ) -> Text {
+        let (sum, sum_proof) = self.combination(terms)?;
+        let (product, product_proof) = self.product(factors, Property::Positive)?;
+        let target = self.polynomial(target)?;
+        let positive = |own: &Self, summand: &Summand| {
+            let all = summand
+                .facts
+                .iter()
+                .all(|fact| own.property_of(*fact) == Ok(Property::Positive));
+            all && summand.root.as_constant().is_some_and(|value| !value.is_zero())
+        };
+        let chosen = match strict {
+            true => Some(
+                summands
+                    .iter()
+                    .position(|summand| positive(self, summand))
+                    .ok_or(NO_SUCH)?,
+            ),
+            false => None,
+        };
+        let (mut all, mut proof) = (String::from("0"), String::from("no_summands"));
+        for (place, summand) in summands.iter().enumerate().rev() {
+            let is_chosen = chosen == Some(place);
+            let (mut facts, mut facts_proof) = match is_chosen {
+                true => (String::from("1"), String::from("no_positive")),
+                false => (String::from("1"), String::from("no_nonnegative")),
+            };
+            for &fact in summand.facts.iter().rev() {
+                let polynomial = self.polynomial_of(fact)?;
+                let text = self.polynomial(&polynomial)?;
+                facts = format!("{text} * ({facts})");
+                facts_proof = match is_chosen {
+                    true => format!("(Rmult_gt_0_compat _ _ {} {facts_proof})", self.fact(fact)),
+                    false => format!(
+                        "(nonnegative_factor _ _ {} {facts_proof})",
+                        self.nonnegative_fact(fact)?
+                    ),
+                };
+            }
+            let (factor, root) = (number(&summand.factor), self.polynomial(&summand.root)?);
+            all = format!("{factor} * ({facts}) * {root} ^ 2 + ({all})");
+            proof = match chosen {
+                Some(chosen) if chosen == place => {
+                    format!("(strict_summand {factor} _ {root} _ ltac:(lra) {facts_proof} ltac:(lra) {proof})")
+                }
+                Some(chosen) if place < chosen => {
+                    format!("(later_summand {factor} _ {root} _ ltac:(lra) {facts_proof} {proof})")
+                }
+                _ => format!("(summand {factor} _ {root} _ ltac:(lra) {facts_proof} {proof})"),
+            };
+        }
+        let lemma = if strict { "positive_step" } else { "nonnegative_step" };
+        let by = equal(&[sum.as_str(), &product, &target, &all].concat());
+        Ok(format!(
+            "refine ({lemma} {target} ({sum}) ({product}) ({all}) {product_proof} {sum_proof} {proof} _); {by}"
+        ))
+    }
+
+    fn congruence(&mut self, left: Term, right: Term) -> Text {
+        let terms = self.checker.statement.terms_mut();
+        let [a, b] = match (terms.node(left).clone(), terms.node(right).clone()) {
+            (Node::Elementary(_, a), Node::Elementary(_, b)) | (Node::Value(.., a), Node::Value(.., b)) => [a, b],
+            (Node::RealPower(x, a), Node::RealPower(y, b)) if x == y => [a, b],
+            (Node::RealPower(a, _), Node::RealPower(b, _)) => [a, b],
+            _ => return Err(NO_SUCH),
+        };
+        let arguments = terms.difference(a, b);
+        let by = self.shown(Property::Zero, arguments)?;
+        let [inner, outer] = [[a, b], [left, right]].map(|pair| pair.map(|term| self.short(term)));
+        let ([a, b], [left_name, right_name]) = (inner, outer);
+        let (a, b, left_name, right_name) = (a?, b?, left_name?, right_name?);
+        let written = |own: &mut Self, term| own.write(true, &mut |writer| writer.written(term));
+        let (left, right) = (written(self, left)?, written(self, right)?);
+        Ok(format!(
+            "assert (A : {a} - {b} = 0).\n{{ {by}. }}\nassert (B : {left} = {right}) by (f_equal; exact (Rminus_diag_uniq _ _ A)).\n\
+             refine (numerator_zero ({left_name} - {right_name}) 1 _ (Rminus_diag_eq _ _ B) _); ring"
+        ))
+    }
+
+    /// An instance of a law at a time.
+    fn law(&mut self, source: LawSource, at: Term) -> Text {
+        let instance = self.checker.instance(source, Some(at))?;
+        let mut call = match source {
+            LawSource::Given { given, shift: 0 } => self.given(given),
+            LawSource::Given { .. } => return Err(Unwritten::Not("a law at other impacts")),
+            LawSource::Derived(number) => {
+                self.on.insert(Ground::Law(number));
+                format!("L{number}")
+            }
+        };
+        call += &format!(" {}", self.short(at)?);
+        let mut text = String::new();
+        for (count, (shown, of)) in instance.conditions.into_iter().enumerate() {
+            let own = self.short(of)?;
+            let by = self.shown(shown, of)?;
+            let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+            call += &format!(" A{count}");
+        }
+        let own = self.short(instance.term)?;
+        let _ = write!(
+            text,
+            "assert (B : {}) by exact ({call}).\n",
+            property(instance.property, &own)
+        );
+        text += &self.of_term(instance.property, instance.term, "B")?;
+        Ok(text)
+    }
+
+    /// A law that follows by differentiating another one that holds at every time.
+    fn derivative(&mut self, step: &Inference, source: LawSource) -> Text {
+        let number = self.checker.laws();
+        let time = match source {
+            LawSource::Given { given, shift: 0 } => self
+                .checker
+                .statement
+                .givens()
+                .get(given)
+                .and_then(|own| own.law.as_ref()?.time),
+            LawSource::Given { .. } => None,
+            LawSource::Derived(number) => self.times.get(&number).copied(),
+        };
+        let time = time.ok_or(Unwritten::Not("the derivative of a law of flight"))?;
+        self.checker.apply(step)?;
+        self.times.insert(number, time);
+        let at = self.checker.statement.terms_mut().symbol(time);
+        let [base, own] = [source, LawSource::Derived(number)].map(|source| self.checker.instance(source, Some(at)));
+        let (base, own) = (base?, own?);
+        if !base.conditions.is_empty() || !own.conditions.is_empty() {
+            return Err(Unwritten::Not("the derivative of a law that holds under conditions"));
+        }
+        let (of, slope, at) = (self.full(base.term)?, self.full(own.term)?, self.full(at)?);
+        let law = match source {
+            LawSource::Given { given, .. } => self.given(given),
+            LawSource::Derived(number) => {
+                self.on.insert(Ground::Law(number));
+                format!("L{number}")
+            }
+        };
+        Ok(format!(
+            "assert (L{number} : forall {at} : R, {slope} = 0).\n{{ apply (slope_of_zero (fun {at} => {of}) (fun {at} => {slope})); \
+             [exact {law} | intro; differentiate_smooth]. }}\n"
+        ))
+    }
+
+    /// The definitions of names for terms, in order.
+    pub fn named(&mut self, terms: &BTreeSet<Term>) -> Text {
+        let mut all = terms.clone();
+        let mut open: Vec<Term> = terms.iter().copied().collect();
+        let mut bodies = Vec::new();
+        while let Some(term) = open.pop() {
+            self.on.clear();
+            let body = self.write(true, &mut |writer| writer.written(term))?;
+            for ground in std::mem::take(&mut self.on) {
+                if let Ground::Named(inner) = ground
+                    && all.insert(inner)
+                {
+                    open.push(inner);
+                }
+            }
+            bodies.push((term, body));
+        }
+        bodies.sort();
+        let text = bodies
+            .iter()
+            .map(|(term, body)| format!("pose (g{} := {body} : R).\n", term.0));
+        Ok(text.collect())
+    }
+}
+
+/// The guard of an axiom, as its lemma has it, from the property of the difference of its sides.
+fn relation(shown: Property, printed: &str, proof: &str, row: &AxiomRow) -> String {
+    if printed.ends_with(" 0") || shown == Property::Integer {
+        return proof.to_owned();
+    }
+    let natural = row.guards.iter().find_map(|guard| guard.strip_prefix("natural("));
+    let natural = natural.map(|rest| rest.trim_end_matches(')'));
+    let equal = format!("(Rminus_diag_uniq _ _ {proof})");
+    match shown {
+        Property::Zero => match natural {
+            Some(letter) if printed.ends_with(&format!("= {letter}")) => format!("(is_INR _ _ {equal})"),
+            Some(letter) if printed.ends_with(&format!("= -{letter}")) => format!("(is_negative_INR _ _ {equal})"),
+            _ => equal,
+        },
+        Property::Nonzero => format!("(Rminus_not_eq _ _ {proof})"),
+        Property::Positive => format!("(Rminus_gt _ _ {proof})"),
+        _ => format!("(Rminus_ge _ _ {proof})"),
+    }
+}
+
+/// What the outermost function of a term needs of its argument, and the index where it is a root.
+struct Domain {
+    root: Option<u32>,
+    conditions: Vec<(Property, Term)>,
+}
+
+fn domain_of(statement: &mut Statement, term: Term) -> Domain {
+    use kernel::Elementary::{Arccos, Arcsin, Ln, Root};
+    let terms = statement.terms_mut();
+    let Node::Elementary(function, of) = *terms.node(term) else {
+        return Domain {
+            root: None,
+            conditions: Vec::new(),
+        };
+    };
+    let one = terms.integer(1);
+    let conditions = match function {
+        Ln => vec![(Property::Positive, of)],
+        Root(index) if index % 2 == 0 => vec![(Property::NonNegative, of)],
+        Arcsin | Arccos => {
+            let above = terms.difference(one, of);
+            let below = terms.sum(vec![one, of]);
+            vec![(Property::NonNegative, above), (Property::NonNegative, below)]
+        }
+        _ => Vec::new(),
+    };
+    let root = match function {
+        Root(index) => Some(index),
+        _ => None,
+    };
+    Domain { root, conditions }
+}
