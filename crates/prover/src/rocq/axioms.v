@@ -726,7 +726,15 @@ Ltac no_fact t :=
   | _ => idtac
   end.
 
-Ltac signs_of_square_roots :=
+Ltac new_sign f :=
+  let t := type of f in
+  lazymatch goal with
+  | _ : t |- _ => fail
+  | _ => generalize f; intro
+  end.
+
+(* What is known of the signs and bounds of functions in the goal. *)
+Ltac known_signs :=
   repeat match goal with
   | |- context [root 2 ?x] => change (root 2 x) with (sqrt x)
   end;
@@ -734,10 +742,16 @@ Ltac signs_of_square_roots :=
   | |- context [sqrt ?x] =>
     no_fact (sqrt x);
     let H := fresh in
-    let K := fresh in
     assert (H : sqrt x ^ 2 = x) by (apply pow2_sqrt; nra);
-    assert (K : 0 <= sqrt x) by apply sqrt_pos
+    generalize (sqrt_pos x); intro
+  | |- context [exp ?x] => new_sign (exp_pos x)
+  | |- context [sin ?x] => new_sign (SIN_bound x)
+  | |- context [cos ?x] => new_sign (COS_bound x)
+  | |- context [PI] => new_sign PI_RGT_0
   end.
+
+Lemma ln_gt_0 : forall x : R, 1 < x -> 0 < ln x.
+Proof. intros x H. rewrite <- ln_1. apply ln_increasing; lra. Qed.
 
 Ltac side_condition :=
   cbv beta;
@@ -758,10 +772,21 @@ Ltac side_condition :=
     | |- root _ ?x <> 0 => apply Rgt_not_eq, root_gt_0; side_condition
     | |- _ /\ _ => split; side_condition
     | |- _ ^ _ <> 0 => apply pow_nonzero; side_condition
+    | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; side_condition
+    | |- / _ <> 0 => apply Rinv_neq_0_compat; side_condition
+    | |- 0 < ln ?x => apply ln_gt_0; side_condition
+    | |- ln ?x <> 0 => apply Rgt_not_eq, ln_gt_0; side_condition
+    | |- INR _ <> 0 => apply Rgt_not_eq, INR_pos; lia
+    | |- 0 < _ / _ => apply Rdiv_lt_0_compat; side_condition
+    | |- 0 < / _ => apply Rinv_0_lt_compat; side_condition
+    | |- _ / ?c < _ => apply Rlt_div_l; side_condition
+    | |- _ < _ / ?c => apply Rlt_div_r; side_condition
+    | |- 0 < rpow ?x ?y => rewrite (rpow_pos x y); [apply exp_pos | side_condition]
+    | |- rpow ?x ?y <> 0 => rewrite (rpow_pos x y); [apply ExpNonzero | side_condition]
     end
   | nra
   | enclose
-  | signs_of_square_roots; nra ].
+  | known_signs; first [lra | nra] ].
 
 Ltac derive_node :=
   lazymatch goal with
