@@ -896,11 +896,58 @@ Ltac equal_by_facts :=
         new_fact E;
         solve [ring [A B D E] | field [A B D E]; side_condition] ] ] ].
 
+(* Functions of sums, differences and multiples in functions of their parts. *)
+
+Lemma exp_difference : forall a b : R, exp (a - b) = exp a / exp b.
+Proof. intros a b. unfold Rminus. rewrite exp_plus, exp_Ropp. reflexivity. Qed.
+
+Lemma exp_times : forall (z : Z) (n : nat) (x : R), Z.of_nat n = z -> exp (IZR z * x) = exp x ^ n.
+Proof.
+  intros z n x <-. rewrite <- INR_IZR_INZ. induction n as [| n IH].
+  - simpl. rewrite Rmult_0_l. apply exp_0.
+  - rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l, exp_plus, IH. simpl. ring.
+Qed.
+
+Lemma rpow_plus : forall x a b : R, 0 < x -> rpow x (a + b) = rpow x a * rpow x b.
+Proof. intros x a b P. rewrite !rpow_pos by exact P. rewrite Rmult_plus_distr_r. apply exp_plus. Qed.
+
+Lemma rpow_difference : forall x a b : R, 0 < x -> rpow x (a - b) = rpow x a / rpow x b.
+Proof. intros x a b P. rewrite !rpow_pos by exact P. rewrite Rmult_minus_distr_r. apply exp_difference. Qed.
+
+Lemma rpow_negative : forall x a : R, 0 < x -> rpow x (- a) = / rpow x a.
+Proof. intros x a P. rewrite !rpow_pos by exact P. rewrite Ropp_mult_distr_l_reverse. apply exp_Ropp. Qed.
+
+Lemma rpow_positive : forall x a : R, 0 < x -> 0 < rpow x a.
+Proof. intros x a P. rewrite rpow_pos by exact P. apply exp_pos. Qed.
+
+Ltac expand_functions :=
+  repeat match goal with
+  | |- context [exp (IZR (Zpos ?p) * ?x)] =>
+    let n := eval compute in (Pos.to_nat p) in rewrite (exp_times (Zpos p) n x (eq_refl (Zpos p)))
+  | |- context [exp (?a + ?b)] => rewrite (exp_plus a b)
+  | |- context [exp (?a - ?b)] => rewrite (exp_difference a b)
+  | |- context [exp (- ?a)] => rewrite (exp_Ropp a)
+  | |- context [rpow ?x (?a + ?b)] => rewrite (rpow_plus x a b) by side_condition
+  | |- context [rpow ?x (?a - ?b)] => rewrite (rpow_difference x a b) by side_condition
+  | |- context [rpow ?x (- ?a)] => rewrite (rpow_negative x a) by side_condition
+  | |- context [sin (2 * ?x)] => rewrite (sin_2a x)
+  | |- context [cos (2 * ?x)] => rewrite (cos_2a_cos x)
+  | |- context [sin (?a + ?b)] => rewrite (sin_plus a b)
+  | |- context [cos (?a + ?b)] => rewrite (cos_plus a b)
+  | |- context [sin (?a - ?b)] => rewrite (sin_minus a b)
+  | |- context [cos (?a - ?b)] => rewrite (cos_minus a b)
+  | |- context [sin (- ?a)] => rewrite (sin_neg a)
+  | |- context [cos (- ?a)] => rewrite (cos_neg a)
+  end.
+
+Ltac equal_plainly := first [ring | solve [field; side_condition] | solve [equal_by_facts]].
+
 Ltac equal_values :=
   first
   [ reflexivity
   | ring
-  | numerals; integer_powers; first [ring | solve [field; side_condition] | solve [equal_by_facts]] ].
+  | numerals; integer_powers; equal_plainly
+  | numerals; expand_functions; integer_powers; equal_plainly ].
 
 Ltac derivatives_equal :=
   cbv beta; cbn [Nat.pred];
@@ -968,6 +1015,18 @@ Proof. intro x. differentiate. Qed.
 
 Example differentiate_16 : forall x : R, is_derive (fun t => ln (t + root 2 (t ^ 2 + 1))) x (1 / root 2 (x ^ 2 + 1)).
 Proof. intro x. differentiate. Qed.
+
+Example differentiate_17 : forall x n : R, x > 0 -> n + 1 <> 0 ->
+  is_derive (fun t => rpow t (n + 1) / (n + 1)) x (rpow x n).
+Proof. intros x n X N. differentiate. Qed.
+
+Example differentiate_18 : forall x : R, is_derive (fun t => sin (2 * t) + exp (2 * t) * exp (- t)) x
+  (2 * cos x ^ 2 - 2 * sin x ^ 2 + exp x).
+Proof. intro x. differentiate. Qed.
+
+Example differentiate_19 : forall x : R, x > 1 -> is_derive (fun t => ln (ln t) + 1 / (2 + cos t)) x
+  (1 / (x * ln x) + sin x / (2 + cos x) ^ 2).
+Proof. intros x H. differentiate. Qed.
 
 (* Complex numbers: principal values of logarithms, roots, powers and inverse functions. *)
 
