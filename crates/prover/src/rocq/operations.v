@@ -379,6 +379,28 @@ Lemma limit_comp : forall (F f : R -> R) (x : Rbar) (l : R), is_lim f x l -> con
   is_lim (fun t => F (f t)) x (F l).
 Proof. intros F f x l H C. now apply (is_lim_comp_continuous f F). Qed.
 
+Lemma limit_atan_p : is_lim atan p_infty (PI / 2).
+Proof.
+  apply is_lim_spec. intro eps. generalize PI_RGT_0 (cond_pos eps). intros P E.
+  set (d := Rmin eps (PI / 4)).
+  assert (D : 0 < d /\ d <= eps /\ d <= PI / 4).
+  { unfold d. split; [apply Rmin_pos; lra | split; [apply Rmin_l | apply Rmin_r]]. }
+  exists (tan (PI / 2 - d)). intros y Y.
+  apply atan_increasing in Y. rewrite atan_tan in Y by lra.
+  destruct (atan_bound y) as [_ B]. rewrite Rabs_left by lra. lra.
+Qed.
+
+Lemma limit_atan_m : is_lim atan m_infty (- (PI / 2)).
+Proof.
+  apply (is_lim_ext (fun t => - atan (- t))).
+  { intro t. rewrite atan_opp. ring. }
+  apply (is_lim_opp (fun t => atan (- t)) m_infty (PI / 2)).
+  apply (is_lim_comp atan (fun t => - t) m_infty (PI / 2) p_infty).
+  - exact limit_atan_p.
+  - apply (is_lim_opp (fun t => t) m_infty m_infty). apply is_lim_id.
+  - exists 0. discriminate.
+Qed.
+
 Example limit_1 : is_lim (fun t => (t ^ 2 - 1) / (t - 1)) 1 2.
 Proof. apply (limit_removable _ (fun t => t + 1)); [is_continuous | lra | intros t N; field; lra]. Qed.
 
@@ -537,24 +559,107 @@ Proof. intros f a b c F G. exact (RInt_Chasles f a b c F G). Qed.
 Lemma integral_point : forall (f : R -> R) (a : R), RInt f a a = 0 :> R.
 Proof. intros f a. exact (RInt_point a f). Qed.
 
-(* An integral to infinity is the limit of the antiderivative. *)
+(* Improper integrals are differences of limits of the antiderivative. *)
+
+Lemma integral_between : forall (F f : R -> R) (Fa Fb : (R -> Prop) -> Prop) (la lb : R),
+  Filter Fa -> Filter Fb ->
+  filter_prod Fa Fb (fun ab => forall x, Rmin (fst ab) (snd ab) <= x <= Rmax (fst ab) (snd ab) ->
+    is_derive F x (f x) /\ continuous f x) ->
+  filterlim F Fa (locally la) -> filterlim F Fb (locally lb) ->
+  is_RInt_gen f Fa Fb (lb - la).
+Proof.
+  intros F f Fa Fb la lb FFa FFb D LA LB P HP.
+  assert (G : filterlim (fun ab : R * R => F (snd ab) - F (fst ab)) (filter_prod Fa Fb) (locally (lb - la))).
+  { refine (filterlim_comp_2 (G := locally lb) (H := locally (opp la))
+      (fun ab : R * R => F (snd ab)) (fun ab : R * R => opp (F (fst ab))) plus _ _ _).
+    - exact (filterlim_comp _ _ _ snd F _ _ _ filterlim_snd LB).
+    - apply (filterlim_comp _ _ _ (fun ab : R * R => F (fst ab)) opp _ (locally la)).
+      + exact (filterlim_comp _ _ _ fst F _ _ _ filterlim_fst LA).
+      + exact (filterlim_opp (V := R_NormedModule) la).
+    - exact (filterlim_plus (V := R_NormedModule) lb (opp la)). }
+  specialize (G P HP). unfold filtermap in G. unfold filtermapi.
+  generalize (filter_and _ _ D G). apply filter_imp. intros [x y] [H K]. simpl in *.
+  exists (F y - F x). split; [| exact K].
+  apply integral_closed; intros t T; now apply H.
+Qed.
+
 Lemma integral_to_infinity : forall (F f : R -> R) (a l : R),
   (forall x, a <= x -> is_derive F x (f x)) -> (forall x, a <= x -> continuous f x) -> is_lim F p_infty l ->
   is_RInt_gen f (at_point a) (Rbar_locally p_infty) (l - F a).
 Proof.
-  intros F f a l D C L.
-  intros P HP.
-  assert (G : is_lim (fun x => F x - F a) p_infty (l - F a)).
-  { apply limit_minus; [exact L | apply is_lim_const]. }
-  specialize (G P HP). destruct G as [M HM].
-  apply (Filter_prod _ _ _ (fun x => x = a) (fun y => Rmax a M < y)).
-  - reflexivity.
-  - exists (Rmax a M). trivial.
-  - intros x y -> Y. exists (F y - F a). split.
-    + simpl. assert (A : a <= y) by (generalize (Rmax_l a M); lra).
-      apply integral_closed; rewrite (Rmin_left a y A); intros x B; [apply D | apply C]; lra.
-    + apply HM. generalize (Rmax_r a M). lra.
+  intros F f a l D C L. apply (integral_between F); [apply at_point_filter | apply Rbar_locally_filter | | | exact L].
+  - apply (Filter_prod _ _ _ (fun x => x = a) (fun y => a < y)); [reflexivity | now exists a |].
+    intros x y -> Y t T. simpl in *. rewrite Rmin_left in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
 Qed.
+
+Lemma integral_from_infinity : forall (F f : R -> R) (b l : R),
+  (forall x, x <= b -> is_derive F x (f x)) -> (forall x, x <= b -> continuous f x) -> is_lim F m_infty l ->
+  is_RInt_gen f (Rbar_locally m_infty) (at_point b) (F b - l).
+Proof.
+  intros F f b l D C L. apply (integral_between F); [apply Rbar_locally_filter | apply at_point_filter | | exact L |].
+  - apply (Filter_prod _ _ _ (fun x => x < b) (fun y => y = b)); [now exists b | reflexivity |].
+    intros x y X -> t T. simpl in *. rewrite Rmax_right in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
+Qed.
+
+Lemma integral_whole_line : forall (F f : R -> R) (l m : R),
+  (forall x, is_derive F x (f x)) -> (forall x, continuous f x) -> is_lim F m_infty l -> is_lim F p_infty m ->
+  is_RInt_gen f (Rbar_locally m_infty) (Rbar_locally p_infty) (m - l).
+Proof.
+  intros F f l m D C L M. apply (integral_between F); [apply Rbar_locally_filter | apply Rbar_locally_filter | | exact L | exact M].
+  apply filter_forall. intros ab t _. now split.
+Qed.
+
+Lemma integral_from_right : forall (F f : R -> R) (a b l : R), a < b ->
+  (forall x, a < x <= b -> is_derive F x (f x)) -> (forall x, a < x <= b -> continuous f x) ->
+  filterlim F (at_right a) (locally l) ->
+  is_RInt_gen f (at_right a) (at_point b) (F b - l).
+Proof.
+  intros F f a b l H D C L. apply (integral_between F); [apply at_right_proper_filter | apply at_point_filter | | exact L |].
+  - apply (Filter_prod _ _ _ (fun x => a < x < b) (fun y => y = b)); [| reflexivity |].
+    + assert (N : 0 < b - a) by lra. exists (mkposreal _ N). intros y B Y.
+      unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+      apply Rabs_def2 in B. lra.
+    + intros x y X -> t T. simpl in *. rewrite Rmin_left, Rmax_right in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
+Qed.
+
+Lemma integral_to_left : forall (F f : R -> R) (a b l : R), a < b ->
+  (forall x, a <= x < b -> is_derive F x (f x)) -> (forall x, a <= x < b -> continuous f x) ->
+  filterlim F (at_left b) (locally l) ->
+  is_RInt_gen f (at_point a) (at_left b) (l - F a).
+Proof.
+  intros F f a b l H D C L. apply (integral_between F); [apply at_point_filter | apply at_left_proper_filter | | | exact L].
+  - apply (Filter_prod _ _ _ (fun x => x = a) (fun y => a < y < b)); [reflexivity | |].
+    + assert (N : 0 < b - a) by lra. exists (mkposreal _ N). intros y B Y.
+      unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+      apply Rabs_def2 in B. lra.
+    + intros x y -> Y t T. simpl in *. rewrite Rmin_left, Rmax_right in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
+Qed.
+
+(* The limits of an antiderivative that is continuous at a singular end are its values there. *)
+
+Lemma limit_right : forall (F : R -> R) (a : R), continuous F a -> filterlim F (at_right a) (locally (F a)).
+Proof.
+  intros F a C P HP. destruct (C P HP) as [eps E]. exists eps. intros y B _. exact (E y B).
+Qed.
+
+Lemma limit_left : forall (F : R -> R) (b : R), continuous F b -> filterlim F (at_left b) (locally (F b)).
+Proof.
+  intros F b C P HP. destruct (C P HP) as [eps E]. exists eps. intros y B _. exact (E y B).
+Qed.
+
+Lemma integral_singular_left : forall (F f : R -> R) (a b : R), a < b -> continuous F a ->
+  (forall x, a < x <= b -> is_derive F x (f x)) -> (forall x, a < x <= b -> continuous f x) ->
+  is_RInt_gen f (at_right a) (at_point b) (F b - F a).
+Proof. intros F f a b H L D C. apply integral_from_right; try assumption. now apply limit_right. Qed.
+
+Lemma integral_singular_right : forall (F f : R -> R) (a b : R), a < b -> continuous F b ->
+  (forall x, a <= x < b -> is_derive F x (f x)) -> (forall x, a <= x < b -> continuous f x) ->
+  is_RInt_gen f (at_point a) (at_left b) (F b - F a).
+Proof. intros F f a b H L D C. apply integral_to_left; try assumption. now apply limit_left. Qed.
 
 Example integral_1 : RInt (fun t => t * sin t) 0 PI = PI.
 Proof.
@@ -565,6 +670,26 @@ Example integral_2 : RInt (fun t => root 2 (1 - t ^ 2)) 0 1 = PI / 4.
 Proof.
   integrate (fun t => asin t / 2 + t * sqrt (1 - t ^ 2) / 2).
   rewrite asin_1, asin_0. replace (1 - 1 ^ 2) with 0 by ring. rewrite sqrt_0. lra.
+Qed.
+
+Example integral_4 : is_RInt_gen (fun t => 1 / sqrt (1 - t ^ 2)) (at_point 0) (at_left 1) (PI / 2).
+Proof.
+  replace (PI / 2) with (asin 1 - asin 0) by (rewrite asin_1, asin_0; ring).
+  apply integral_singular_right.
+  - lra.
+  - is_continuous.
+  - intros x H. differentiate.
+  - intros x H. is_continuous.
+Qed.
+
+Example integral_5 : is_RInt_gen (fun t => 1 / (1 + t ^ 2)) (Rbar_locally m_infty) (Rbar_locally p_infty) PI.
+Proof.
+  replace PI with (PI / 2 - - (PI / 2)) by field.
+  apply (integral_whole_line atan).
+  - intro x. differentiate.
+  - intro x. is_continuous.
+  - exact limit_atan_m.
+  - exact limit_atan_p.
 Qed.
 
 Example integral_3 : is_RInt_gen (fun t => exp (- t)) (at_point 0) (Rbar_locally p_infty) 1.
