@@ -995,7 +995,8 @@ Example differentiate_9 : forall (F f : R -> R) (x : R), is_derive F x (f x) -> 
   is_derive (fun t => ln (F t) + powerRZ (F t) (-2)) x (f x / F x - 2 * f x / F x ^ 3).
 Proof. intros F f x D H. differentiate. Qed.
 
-Example differentiate_10 : forall x : R, -1 < x < 1 -> is_derive (fun t => asin t / 2 + t * root 2 (1 - t ^ 2) / 2) x (root 2 (1 - x ^ 2)).
+Example differentiate_10 : forall x : R, -1 < x < 1 -> is_derive (fun t => asin t / 2 + t * root 2 (1 - t ^ 2) / 2) x
+  (root 2 (1 - x ^ 2)).
 Proof. intros x H. differentiate. Qed.
 
 Example differentiate_11 : forall x : R, cos x <> 0 -> is_derive (fun t => tan t - sin t ^ 3 / cos t) x (1 - 2 * sin x ^ 2).
@@ -1007,7 +1008,8 @@ Proof. intros x H. differentiate. Qed.
 Example differentiate_13 : forall x : R, 0 < x -> is_derive (root 3) x (1 / (3 * root 3 x ^ 2)).
 Proof. intros x H. differentiate. Qed.
 
-Example differentiate_14 : forall a x : R, is_derive (fun t => exp (a * t) / (a ^ 2 + 1) * (a * sin t - cos t)) x (exp (a * x) * sin x).
+Example differentiate_14 : forall a x : R, is_derive (fun t => exp (a * t) / (a ^ 2 + 1) * (a * sin t - cos t)) x
+  (exp (a * x) * sin x).
 Proof. intros a x. differentiate. Qed.
 
 Example differentiate_15 : forall x : R, is_derive (fun t => t / 2 - sin t * cos t / 2) x (sin x ^ 2).

@@ -61,7 +61,9 @@ Lemma Cont_cos : forall (f : R -> R) (x : R), continuous f x -> continuous (fun 
 Proof. intros f x F. apply (Cont_chain cos f); [exact (Cont_derive _ _ _ (is_derive_cos (f x))) | exact F]. Qed.
 
 Lemma Cont_tan : forall (f : R -> R) (x : R), continuous f x -> cos (f x) <> 0 -> continuous (fun t => tan (f t)) x.
-Proof. intros f x F N. apply (Cont_div (fun t => sin (f t)) (fun t => cos (f t))); [now apply Cont_sin | now apply Cont_cos | exact N]. Qed.
+Proof.
+  intros f x F N. apply (Cont_div (fun t => sin (f t)) (fun t => cos (f t))); [now apply Cont_sin | now apply Cont_cos | exact N].
+Qed.
 
 Lemma Cont_exp : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => exp (f t)) x.
 Proof. intros f x F. apply (Cont_chain exp f); [exact (Cont_derive _ _ _ (is_derive_exp (f x))) | exact F]. Qed.
@@ -267,6 +269,45 @@ Proof.
   intro t. symmetry. apply rpow_INR.
 Qed.
 
+Lemma rpow_bound : forall x c : R, 0 < c -> x <> 0 -> Rabs (rpow x c) <= rpow (Rabs x) c.
+Proof.
+  intros x c H N. assert (P : 0 < Rabs x) by now apply Rabs_pos_lt.
+  destruct (Rlt_dec 0 x) as [X | X].
+  - rewrite (Rabs_pos_eq x) by lra. right. apply Rabs_pos_eq. left. now apply rpow_positive.
+  - unfold rpow at 1. destruct (Rlt_dec 0 x) as [F | _]; [contradiction |].
+    destruct (Req_EM_T c (IZR (Int_part c))) as [E | E].
+    + rewrite E at 2. rewrite rpow_IZR. rewrite E in H. apply lt_IZR in H.
+      rewrite <- (Z2Nat.id (Int_part c)) by lia. rewrite <- !pow_powerRZ, RPow_abs. lra.
+    + rewrite Rabs_R0. left. now apply rpow_positive.
+Qed.
+
+Lemma continuous_rpow_0 : forall c : R, 0 < c -> continuous (fun t => rpow t c) 0.
+Proof.
+  intros c H. apply continuity_pt_filterlim, continuity_pt_locally. intro eps.
+  assert (D : 0 < rpow eps (/ c)) by apply rpow_positive, cond_pos.
+  exists (mkposreal _ D). intros y B.
+  unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+  rewrite Ropp_0, Rplus_0_r in B.
+  rewrite (rpow_zero 0 c eq_refl H), Rminus_0_r.
+  destruct (Req_dec y 0) as [-> | N].
+  - rewrite (rpow_zero 0 c eq_refl H), Rabs_R0. apply cond_pos.
+  - apply Rle_lt_trans with (1 := rpow_bound y c H N).
+    assert (P : 0 < Rabs y) by now apply Rabs_pos_lt.
+    rewrite rpow_pos in B |- * by (try exact P; apply cond_pos).
+    apply ln_increasing in B; [| exact P]. rewrite ln_exp in B.
+    rewrite <- (exp_ln eps (cond_pos eps)). apply exp_increasing.
+    apply (Rmult_lt_compat_l c) in B; [| exact H].
+    replace (c * (/ c * ln eps)) with (ln eps) in B by (field; lra). exact B.
+Qed.
+
+Lemma Cont_rpow_const : forall (c : R) (f : R -> R) (x : R), continuous f x -> 0 < c -> 0 <= f x ->
+  continuous (fun t => rpow (f t) c) x.
+Proof.
+  intros c f x F H [P | Z].
+  - apply (Cont_rpow f (fun _ => c)); [exact F | apply Cont_const | exact P].
+  - apply (Cont_chain (fun y => rpow y c) f); [| exact F]. rewrite <- Z. now apply continuous_rpow_0.
+Qed.
+
 (* Continuity by the rules; what is left are side conditions. *)
 
 Ltac continuous_node :=
@@ -301,6 +342,11 @@ Ltac continuous_node :=
       | _ => let n := eval compute in (Z.to_nat z) in refine (Cont_rpow_nat z n f x (eq_refl z) _)
       end
     | fun _ => INR ?n => refine (Cont_rpow_INR n f x _)
+    | fun _ => ?c =>
+      first
+      [ let H := fresh in
+        assert (H : 0 < c) by side_condition; refine (Cont_rpow_const c f x _ H _); clear H
+      | refine (Cont_rpow f g x _ _ _) ]
     | _ => refine (Cont_rpow f g x _ _ _)
     end
   | |- continuous (fun t => atan (@?f t)) ?x => refine (Cont_atan f x _)
@@ -316,6 +362,9 @@ Ltac is_continuous :=
 Example is_continuous_1 : forall x : R, 0 < x ->
   continuous (fun t => root 3 (sin t) + ln t / t + rpow t t + rpow t 2 * rpow t (-2) + asin t + sqrt (1 - t)) x.
 Proof. intros x H. is_continuous. Qed.
+
+Example is_continuous_2 : continuous (fun t => rpow t (3 / 2) + root 4 t + rpow (t + 1) (-1 / 2)) 0.
+Proof. is_continuous. Qed.
 
 (* Limits at a point of functions that are continuous there. *)
 
