@@ -726,7 +726,15 @@ Ltac no_fact t :=
   | _ => idtac
   end.
 
-Ltac signs_of_square_roots :=
+Ltac new_sign f :=
+  let t := type of f in
+  lazymatch goal with
+  | _ : t |- _ => fail
+  | _ => generalize f; intro
+  end.
+
+(* What is known of the signs and bounds of functions in the goal. *)
+Ltac known_signs :=
   repeat match goal with
   | |- context [root 2 ?x] => change (root 2 x) with (sqrt x)
   end;
@@ -734,10 +742,16 @@ Ltac signs_of_square_roots :=
   | |- context [sqrt ?x] =>
     no_fact (sqrt x);
     let H := fresh in
-    let K := fresh in
     assert (H : sqrt x ^ 2 = x) by (apply pow2_sqrt; nra);
-    assert (K : 0 <= sqrt x) by apply sqrt_pos
+    generalize (sqrt_pos x); intro
+  | |- context [exp ?x] => new_sign (exp_pos x)
+  | |- context [sin ?x] => new_sign (SIN_bound x)
+  | |- context [cos ?x] => new_sign (COS_bound x)
+  | |- context [PI] => new_sign PI_RGT_0
   end.
+
+Lemma ln_gt_0 : forall x : R, 1 < x -> 0 < ln x.
+Proof. intros x H. rewrite <- ln_1. apply ln_increasing; lra. Qed.
 
 Ltac side_condition :=
   cbv beta;
@@ -758,10 +772,21 @@ Ltac side_condition :=
     | |- root _ ?x <> 0 => apply Rgt_not_eq, root_gt_0; side_condition
     | |- _ /\ _ => split; side_condition
     | |- _ ^ _ <> 0 => apply pow_nonzero; side_condition
+    | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; side_condition
+    | |- / _ <> 0 => apply Rinv_neq_0_compat; side_condition
+    | |- 0 < ln ?x => apply ln_gt_0; side_condition
+    | |- ln ?x <> 0 => apply Rgt_not_eq, ln_gt_0; side_condition
+    | |- INR _ <> 0 => apply Rgt_not_eq, INR_pos; lia
+    | |- 0 < _ / _ => apply Rdiv_lt_0_compat; side_condition
+    | |- 0 < / _ => apply Rinv_0_lt_compat; side_condition
+    | |- _ / ?c < _ => apply Rlt_div_l; side_condition
+    | |- _ < _ / ?c => apply Rlt_div_r; side_condition
+    | |- 0 < rpow ?x ?y => rewrite (rpow_pos x y); [apply exp_pos | side_condition]
+    | |- rpow ?x ?y <> 0 => rewrite (rpow_pos x y); [apply ExpNonzero | side_condition]
     end
   | nra
   | enclose
-  | signs_of_square_roots; nra ].
+  | known_signs; first [lra | nra] ].
 
 Ltac derive_node :=
   lazymatch goal with
@@ -873,11 +898,58 @@ Ltac equal_by_facts :=
         new_fact E;
         solve [ring [A B D E] | field [A B D E]; side_condition] ] ] ].
 
+(* Functions of sums, differences and multiples in functions of their parts. *)
+
+Lemma exp_difference : forall a b : R, exp (a - b) = exp a / exp b.
+Proof. intros a b. unfold Rminus. rewrite exp_plus, exp_Ropp. reflexivity. Qed.
+
+Lemma exp_times : forall (z : Z) (n : nat) (x : R), Z.of_nat n = z -> exp (IZR z * x) = exp x ^ n.
+Proof.
+  intros z n x <-. rewrite <- INR_IZR_INZ. induction n as [| n IH].
+  - simpl. rewrite Rmult_0_l. apply exp_0.
+  - rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l, exp_plus, IH. simpl. ring.
+Qed.
+
+Lemma rpow_plus : forall x a b : R, 0 < x -> rpow x (a + b) = rpow x a * rpow x b.
+Proof. intros x a b P. rewrite !rpow_pos by exact P. rewrite Rmult_plus_distr_r. apply exp_plus. Qed.
+
+Lemma rpow_difference : forall x a b : R, 0 < x -> rpow x (a - b) = rpow x a / rpow x b.
+Proof. intros x a b P. rewrite !rpow_pos by exact P. rewrite Rmult_minus_distr_r. apply exp_difference. Qed.
+
+Lemma rpow_negative : forall x a : R, 0 < x -> rpow x (- a) = / rpow x a.
+Proof. intros x a P. rewrite !rpow_pos by exact P. rewrite Ropp_mult_distr_l_reverse. apply exp_Ropp. Qed.
+
+Lemma rpow_positive : forall x a : R, 0 < x -> 0 < rpow x a.
+Proof. intros x a P. rewrite rpow_pos by exact P. apply exp_pos. Qed.
+
+Ltac expand_functions :=
+  repeat match goal with
+  | |- context [exp (IZR (Zpos ?p) * ?x)] =>
+    let n := eval compute in (Pos.to_nat p) in rewrite (exp_times (Zpos p) n x (eq_refl (Zpos p)))
+  | |- context [exp (?a + ?b)] => rewrite (exp_plus a b)
+  | |- context [exp (?a - ?b)] => rewrite (exp_difference a b)
+  | |- context [exp (- ?a)] => rewrite (exp_Ropp a)
+  | |- context [rpow ?x (?a + ?b)] => rewrite (rpow_plus x a b) by side_condition
+  | |- context [rpow ?x (?a - ?b)] => rewrite (rpow_difference x a b) by side_condition
+  | |- context [rpow ?x (- ?a)] => rewrite (rpow_negative x a) by side_condition
+  | |- context [sin (2 * ?x)] => rewrite (sin_2a x)
+  | |- context [cos (2 * ?x)] => rewrite (cos_2a_cos x)
+  | |- context [sin (?a + ?b)] => rewrite (sin_plus a b)
+  | |- context [cos (?a + ?b)] => rewrite (cos_plus a b)
+  | |- context [sin (?a - ?b)] => rewrite (sin_minus a b)
+  | |- context [cos (?a - ?b)] => rewrite (cos_minus a b)
+  | |- context [sin (- ?a)] => rewrite (sin_neg a)
+  | |- context [cos (- ?a)] => rewrite (cos_neg a)
+  end.
+
+Ltac equal_plainly := first [ring | solve [field; side_condition] | solve [equal_by_facts]].
+
 Ltac equal_values :=
   first
   [ reflexivity
   | ring
-  | numerals; integer_powers; first [ring | solve [field; side_condition] | solve [equal_by_facts]] ].
+  | numerals; integer_powers; equal_plainly
+  | numerals; expand_functions; integer_powers; equal_plainly ].
 
 Ltac derivatives_equal :=
   cbv beta; cbn [Nat.pred];
@@ -925,7 +997,8 @@ Example differentiate_9 : forall (F f : R -> R) (x : R), is_derive F x (f x) -> 
   is_derive (fun t => ln (F t) + powerRZ (F t) (-2)) x (f x / F x - 2 * f x / F x ^ 3).
 Proof. intros F f x D H. differentiate. Qed.
 
-Example differentiate_10 : forall x : R, -1 < x < 1 -> is_derive (fun t => asin t / 2 + t * root 2 (1 - t ^ 2) / 2) x (root 2 (1 - x ^ 2)).
+Example differentiate_10 : forall x : R, -1 < x < 1 -> is_derive (fun t => asin t / 2 + t * root 2 (1 - t ^ 2) / 2) x
+  (root 2 (1 - x ^ 2)).
 Proof. intros x H. differentiate. Qed.
 
 Example differentiate_11 : forall x : R, cos x <> 0 -> is_derive (fun t => tan t - sin t ^ 3 / cos t) x (1 - 2 * sin x ^ 2).
@@ -937,7 +1010,8 @@ Proof. intros x H. differentiate. Qed.
 Example differentiate_13 : forall x : R, 0 < x -> is_derive (root 3) x (1 / (3 * root 3 x ^ 2)).
 Proof. intros x H. differentiate. Qed.
 
-Example differentiate_14 : forall a x : R, is_derive (fun t => exp (a * t) / (a ^ 2 + 1) * (a * sin t - cos t)) x (exp (a * x) * sin x).
+Example differentiate_14 : forall a x : R, is_derive (fun t => exp (a * t) / (a ^ 2 + 1) * (a * sin t - cos t)) x
+  (exp (a * x) * sin x).
 Proof. intros a x. differentiate. Qed.
 
 Example differentiate_15 : forall x : R, is_derive (fun t => t / 2 - sin t * cos t / 2) x (sin x ^ 2).
@@ -945,6 +1019,18 @@ Proof. intro x. differentiate. Qed.
 
 Example differentiate_16 : forall x : R, is_derive (fun t => ln (t + root 2 (t ^ 2 + 1))) x (1 / root 2 (x ^ 2 + 1)).
 Proof. intro x. differentiate. Qed.
+
+Example differentiate_17 : forall x n : R, x > 0 -> n + 1 <> 0 ->
+  is_derive (fun t => rpow t (n + 1) / (n + 1)) x (rpow x n).
+Proof. intros x n X N. differentiate. Qed.
+
+Example differentiate_18 : forall x : R, is_derive (fun t => sin (2 * t) + exp (2 * t) * exp (- t)) x
+  (2 * cos x ^ 2 - 2 * sin x ^ 2 + exp x).
+Proof. intro x. differentiate. Qed.
+
+Example differentiate_19 : forall x : R, x > 1 -> is_derive (fun t => ln (ln t) + 1 / (2 + cos t)) x
+  (1 / (x * ln x) + sin x / (2 + cos x) ^ 2).
+Proof. intros x H. differentiate. Qed.
 
 (* Complex numbers: principal values of logarithms, roots, powers and inverse functions. *)
 

@@ -61,7 +61,9 @@ Lemma Cont_cos : forall (f : R -> R) (x : R), continuous f x -> continuous (fun 
 Proof. intros f x F. apply (Cont_chain cos f); [exact (Cont_derive _ _ _ (is_derive_cos (f x))) | exact F]. Qed.
 
 Lemma Cont_tan : forall (f : R -> R) (x : R), continuous f x -> cos (f x) <> 0 -> continuous (fun t => tan (f t)) x.
-Proof. intros f x F N. apply (Cont_div (fun t => sin (f t)) (fun t => cos (f t))); [now apply Cont_sin | now apply Cont_cos | exact N]. Qed.
+Proof.
+  intros f x F N. apply (Cont_div (fun t => sin (f t)) (fun t => cos (f t))); [now apply Cont_sin | now apply Cont_cos | exact N].
+Qed.
 
 Lemma Cont_exp : forall (f : R -> R) (x : R), continuous f x -> continuous (fun t => exp (f t)) x.
 Proof. intros f x F. apply (Cont_chain exp f); [exact (Cont_derive _ _ _ (is_derive_exp (f x))) | exact F]. Qed.
@@ -267,6 +269,45 @@ Proof.
   intro t. symmetry. apply rpow_INR.
 Qed.
 
+Lemma rpow_bound : forall x c : R, 0 < c -> x <> 0 -> Rabs (rpow x c) <= rpow (Rabs x) c.
+Proof.
+  intros x c H N. assert (P : 0 < Rabs x) by now apply Rabs_pos_lt.
+  destruct (Rlt_dec 0 x) as [X | X].
+  - rewrite (Rabs_pos_eq x) by lra. right. apply Rabs_pos_eq. left. now apply rpow_positive.
+  - unfold rpow at 1. destruct (Rlt_dec 0 x) as [F | _]; [contradiction |].
+    destruct (Req_EM_T c (IZR (Int_part c))) as [E | E].
+    + rewrite E at 2. rewrite rpow_IZR. rewrite E in H. apply lt_IZR in H.
+      rewrite <- (Z2Nat.id (Int_part c)) by lia. rewrite <- !pow_powerRZ, RPow_abs. lra.
+    + rewrite Rabs_R0. left. now apply rpow_positive.
+Qed.
+
+Lemma continuous_rpow_0 : forall c : R, 0 < c -> continuous (fun t => rpow t c) 0.
+Proof.
+  intros c H. apply continuity_pt_filterlim, continuity_pt_locally. intro eps.
+  assert (D : 0 < rpow eps (/ c)) by apply rpow_positive, cond_pos.
+  exists (mkposreal _ D). intros y B.
+  unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+  rewrite Ropp_0, Rplus_0_r in B.
+  rewrite (rpow_zero 0 c eq_refl H), Rminus_0_r.
+  destruct (Req_dec y 0) as [-> | N].
+  - rewrite (rpow_zero 0 c eq_refl H), Rabs_R0. apply cond_pos.
+  - apply Rle_lt_trans with (1 := rpow_bound y c H N).
+    assert (P : 0 < Rabs y) by now apply Rabs_pos_lt.
+    rewrite rpow_pos in B |- * by (try exact P; apply cond_pos).
+    apply ln_increasing in B; [| exact P]. rewrite ln_exp in B.
+    rewrite <- (exp_ln eps (cond_pos eps)). apply exp_increasing.
+    apply (Rmult_lt_compat_l c) in B; [| exact H].
+    replace (c * (/ c * ln eps)) with (ln eps) in B by (field; lra). exact B.
+Qed.
+
+Lemma Cont_rpow_const : forall (c : R) (f : R -> R) (x : R), continuous f x -> 0 < c -> 0 <= f x ->
+  continuous (fun t => rpow (f t) c) x.
+Proof.
+  intros c f x F H [P | Z].
+  - apply (Cont_rpow f (fun _ => c)); [exact F | apply Cont_const | exact P].
+  - apply (Cont_chain (fun y => rpow y c) f); [| exact F]. rewrite <- Z. now apply continuous_rpow_0.
+Qed.
+
 (* Continuity by the rules; what is left are side conditions. *)
 
 Ltac continuous_node :=
@@ -301,6 +342,11 @@ Ltac continuous_node :=
       | _ => let n := eval compute in (Z.to_nat z) in refine (Cont_rpow_nat z n f x (eq_refl z) _)
       end
     | fun _ => INR ?n => refine (Cont_rpow_INR n f x _)
+    | fun _ => ?c =>
+      first
+      [ let H := fresh in
+        assert (H : 0 < c) by side_condition; refine (Cont_rpow_const c f x _ H _); clear H
+      | refine (Cont_rpow f g x _ _ _) ]
     | _ => refine (Cont_rpow f g x _ _ _)
     end
   | |- continuous (fun t => atan (@?f t)) ?x => refine (Cont_atan f x _)
@@ -316,6 +362,9 @@ Ltac is_continuous :=
 Example is_continuous_1 : forall x : R, 0 < x ->
   continuous (fun t => root 3 (sin t) + ln t / t + rpow t t + rpow t 2 * rpow t (-2) + asin t + sqrt (1 - t)) x.
 Proof. intros x H. is_continuous. Qed.
+
+Example is_continuous_2 : continuous (fun t => rpow t (3 / 2) + root 4 t + rpow (t + 1) (-1 / 2)) 0.
+Proof. is_continuous. Qed.
 
 (* Limits at a point of functions that are continuous there. *)
 
@@ -378,6 +427,28 @@ Qed.
 Lemma limit_comp : forall (F f : R -> R) (x : Rbar) (l : R), is_lim f x l -> continuous F l ->
   is_lim (fun t => F (f t)) x (F l).
 Proof. intros F f x l H C. now apply (is_lim_comp_continuous f F). Qed.
+
+Lemma limit_atan_p : is_lim atan p_infty (PI / 2).
+Proof.
+  apply is_lim_spec. intro eps. generalize PI_RGT_0 (cond_pos eps). intros P E.
+  set (d := Rmin eps (PI / 4)).
+  assert (D : 0 < d /\ d <= eps /\ d <= PI / 4).
+  { unfold d. split; [apply Rmin_pos; lra | split; [apply Rmin_l | apply Rmin_r]]. }
+  exists (tan (PI / 2 - d)). intros y Y.
+  apply atan_increasing in Y. rewrite atan_tan in Y by lra.
+  destruct (atan_bound y) as [_ B]. rewrite Rabs_left by lra. lra.
+Qed.
+
+Lemma limit_atan_m : is_lim atan m_infty (- (PI / 2)).
+Proof.
+  apply (is_lim_ext (fun t => - atan (- t))).
+  { intro t. rewrite atan_opp. ring. }
+  apply (is_lim_opp (fun t => atan (- t)) m_infty (PI / 2)).
+  apply (is_lim_comp atan (fun t => - t) m_infty (PI / 2) p_infty).
+  - exact limit_atan_p.
+  - apply (is_lim_opp (fun t => t) m_infty m_infty). apply is_lim_id.
+  - exists 0. discriminate.
+Qed.
 
 Example limit_1 : is_lim (fun t => (t ^ 2 - 1) / (t - 1)) 1 2.
 Proof. apply (limit_removable _ (fun t => t + 1)); [is_continuous | lra | intros t N; field; lra]. Qed.
@@ -537,24 +608,107 @@ Proof. intros f a b c F G. exact (RInt_Chasles f a b c F G). Qed.
 Lemma integral_point : forall (f : R -> R) (a : R), RInt f a a = 0 :> R.
 Proof. intros f a. exact (RInt_point a f). Qed.
 
-(* An integral to infinity is the limit of the antiderivative. *)
+(* Improper integrals are differences of limits of the antiderivative. *)
+
+Lemma integral_between : forall (F f : R -> R) (Fa Fb : (R -> Prop) -> Prop) (la lb : R),
+  Filter Fa -> Filter Fb ->
+  filter_prod Fa Fb (fun ab => forall x, Rmin (fst ab) (snd ab) <= x <= Rmax (fst ab) (snd ab) ->
+    is_derive F x (f x) /\ continuous f x) ->
+  filterlim F Fa (locally la) -> filterlim F Fb (locally lb) ->
+  is_RInt_gen f Fa Fb (lb - la).
+Proof.
+  intros F f Fa Fb la lb FFa FFb D LA LB P HP.
+  assert (G : filterlim (fun ab : R * R => F (snd ab) - F (fst ab)) (filter_prod Fa Fb) (locally (lb - la))).
+  { refine (filterlim_comp_2 (G := locally lb) (H := locally (opp la))
+      (fun ab : R * R => F (snd ab)) (fun ab : R * R => opp (F (fst ab))) plus _ _ _).
+    - exact (filterlim_comp _ _ _ snd F _ _ _ filterlim_snd LB).
+    - apply (filterlim_comp _ _ _ (fun ab : R * R => F (fst ab)) opp _ (locally la)).
+      + exact (filterlim_comp _ _ _ fst F _ _ _ filterlim_fst LA).
+      + exact (filterlim_opp (V := R_NormedModule) la).
+    - exact (filterlim_plus (V := R_NormedModule) lb (opp la)). }
+  specialize (G P HP). unfold filtermap in G. unfold filtermapi.
+  generalize (filter_and _ _ D G). apply filter_imp. intros [x y] [H K]. simpl in *.
+  exists (F y - F x). split; [| exact K].
+  apply integral_closed; intros t T; now apply H.
+Qed.
+
 Lemma integral_to_infinity : forall (F f : R -> R) (a l : R),
   (forall x, a <= x -> is_derive F x (f x)) -> (forall x, a <= x -> continuous f x) -> is_lim F p_infty l ->
   is_RInt_gen f (at_point a) (Rbar_locally p_infty) (l - F a).
 Proof.
-  intros F f a l D C L.
-  intros P HP.
-  assert (G : is_lim (fun x => F x - F a) p_infty (l - F a)).
-  { apply limit_minus; [exact L | apply is_lim_const]. }
-  specialize (G P HP). destruct G as [M HM].
-  apply (Filter_prod _ _ _ (fun x => x = a) (fun y => Rmax a M < y)).
-  - reflexivity.
-  - exists (Rmax a M). trivial.
-  - intros x y -> Y. exists (F y - F a). split.
-    + simpl. assert (A : a <= y) by (generalize (Rmax_l a M); lra).
-      apply integral_closed; rewrite (Rmin_left a y A); intros x B; [apply D | apply C]; lra.
-    + apply HM. generalize (Rmax_r a M). lra.
+  intros F f a l D C L. apply (integral_between F); [apply at_point_filter | apply Rbar_locally_filter | | | exact L].
+  - apply (Filter_prod _ _ _ (fun x => x = a) (fun y => a < y)); [reflexivity | now exists a |].
+    intros x y -> Y t T. simpl in *. rewrite Rmin_left in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
 Qed.
+
+Lemma integral_from_infinity : forall (F f : R -> R) (b l : R),
+  (forall x, x <= b -> is_derive F x (f x)) -> (forall x, x <= b -> continuous f x) -> is_lim F m_infty l ->
+  is_RInt_gen f (Rbar_locally m_infty) (at_point b) (F b - l).
+Proof.
+  intros F f b l D C L. apply (integral_between F); [apply Rbar_locally_filter | apply at_point_filter | | exact L |].
+  - apply (Filter_prod _ _ _ (fun x => x < b) (fun y => y = b)); [now exists b | reflexivity |].
+    intros x y X -> t T. simpl in *. rewrite Rmax_right in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
+Qed.
+
+Lemma integral_whole_line : forall (F f : R -> R) (l m : R),
+  (forall x, is_derive F x (f x)) -> (forall x, continuous f x) -> is_lim F m_infty l -> is_lim F p_infty m ->
+  is_RInt_gen f (Rbar_locally m_infty) (Rbar_locally p_infty) (m - l).
+Proof.
+  intros F f l m D C L M. apply (integral_between F); [apply Rbar_locally_filter | apply Rbar_locally_filter | | exact L | exact M].
+  apply filter_forall. intros ab t _. now split.
+Qed.
+
+Lemma integral_from_right : forall (F f : R -> R) (a b l : R), a < b ->
+  (forall x, a < x <= b -> is_derive F x (f x)) -> (forall x, a < x <= b -> continuous f x) ->
+  filterlim F (at_right a) (locally l) ->
+  is_RInt_gen f (at_right a) (at_point b) (F b - l).
+Proof.
+  intros F f a b l H D C L. apply (integral_between F); [apply at_right_proper_filter | apply at_point_filter | | exact L |].
+  - apply (Filter_prod _ _ _ (fun x => a < x < b) (fun y => y = b)); [| reflexivity |].
+    + assert (N : 0 < b - a) by lra. exists (mkposreal _ N). intros y B Y.
+      unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+      apply Rabs_def2 in B. lra.
+    + intros x y X -> t T. simpl in *. rewrite Rmin_left, Rmax_right in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
+Qed.
+
+Lemma integral_to_left : forall (F f : R -> R) (a b l : R), a < b ->
+  (forall x, a <= x < b -> is_derive F x (f x)) -> (forall x, a <= x < b -> continuous f x) ->
+  filterlim F (at_left b) (locally l) ->
+  is_RInt_gen f (at_point a) (at_left b) (l - F a).
+Proof.
+  intros F f a b l H D C L. apply (integral_between F); [apply at_point_filter | apply at_left_proper_filter | | | exact L].
+  - apply (Filter_prod _ _ _ (fun x => x = a) (fun y => a < y < b)); [reflexivity | |].
+    + assert (N : 0 < b - a) by lra. exists (mkposreal _ N). intros y B Y.
+      unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+      apply Rabs_def2 in B. lra.
+    + intros x y -> Y t T. simpl in *. rewrite Rmin_left, Rmax_right in T by lra. split; [apply D | apply C]; lra.
+  - intros P HP. exact (locally_singleton _ _ HP).
+Qed.
+
+(* The limits of an antiderivative that is continuous at a singular end are its values there. *)
+
+Lemma limit_right : forall (F : R -> R) (a : R), continuous F a -> filterlim F (at_right a) (locally (F a)).
+Proof.
+  intros F a C P HP. destruct (C P HP) as [eps E]. exists eps. intros y B _. exact (E y B).
+Qed.
+
+Lemma limit_left : forall (F : R -> R) (b : R), continuous F b -> filterlim F (at_left b) (locally (F b)).
+Proof.
+  intros F b C P HP. destruct (C P HP) as [eps E]. exists eps. intros y B _. exact (E y B).
+Qed.
+
+Lemma integral_singular_left : forall (F f : R -> R) (a b : R), a < b -> continuous F a ->
+  (forall x, a < x <= b -> is_derive F x (f x)) -> (forall x, a < x <= b -> continuous f x) ->
+  is_RInt_gen f (at_right a) (at_point b) (F b - F a).
+Proof. intros F f a b H L D C. apply integral_from_right; try assumption. now apply limit_right. Qed.
+
+Lemma integral_singular_right : forall (F f : R -> R) (a b : R), a < b -> continuous F b ->
+  (forall x, a <= x < b -> is_derive F x (f x)) -> (forall x, a <= x < b -> continuous f x) ->
+  is_RInt_gen f (at_point a) (at_left b) (F b - F a).
+Proof. intros F f a b H L D C. apply integral_to_left; try assumption. now apply limit_left. Qed.
 
 Example integral_1 : RInt (fun t => t * sin t) 0 PI = PI.
 Proof.
@@ -565,6 +719,26 @@ Example integral_2 : RInt (fun t => root 2 (1 - t ^ 2)) 0 1 = PI / 4.
 Proof.
   integrate (fun t => asin t / 2 + t * sqrt (1 - t ^ 2) / 2).
   rewrite asin_1, asin_0. replace (1 - 1 ^ 2) with 0 by ring. rewrite sqrt_0. lra.
+Qed.
+
+Example integral_4 : is_RInt_gen (fun t => 1 / sqrt (1 - t ^ 2)) (at_point 0) (at_left 1) (PI / 2).
+Proof.
+  replace (PI / 2) with (asin 1 - asin 0) by (rewrite asin_1, asin_0; ring).
+  apply integral_singular_right.
+  - lra.
+  - is_continuous.
+  - intros x H. differentiate.
+  - intros x H. is_continuous.
+Qed.
+
+Example integral_5 : is_RInt_gen (fun t => 1 / (1 + t ^ 2)) (Rbar_locally m_infty) (Rbar_locally p_infty) PI.
+Proof.
+  replace PI with (PI / 2 - - (PI / 2)) by field.
+  apply (integral_whole_line atan).
+  - intro x. differentiate.
+  - intro x. is_continuous.
+  - exact limit_atan_m.
+  - exact limit_atan_p.
 Qed.
 
 Example integral_3 : is_RInt_gen (fun t => exp (- t)) (at_point 0) (Rbar_locally p_infty) 1.
