@@ -469,6 +469,19 @@ Ltac enclose :=
   numerals; repeat (enclose_step; numerals);
   first [enclose_plain | enclose_finer | lra].
 
+(* The same wherever a letter lies between its bounds. *)
+Ltac enclose_on x :=
+  first
+    [ interval with (Interval.Tactic.i_prec 60, Interval.Tactic.i_bisect x)
+    | interval with (Interval.Tactic.i_prec 60, Interval.Tactic.i_bisect x, Interval.Tactic.i_depth 25)
+    | interval with (Interval.Tactic.i_prec 100, Interval.Tactic.i_taylor x, Interval.Tactic.i_depth 20)
+    | repeat match goal with
+        | |- context [asin ?t] => generalize (asin t) (asin_bound t); intros
+        | |- context [acos ?t] => generalize (acos t) (acos_bound t); intros
+        | |- context [atan ?t] => generalize (atan t) (atan_bound t); intros
+      end;
+      generalize PI_RGT_0; intro; lra ].
+
 Example enclose_1 : 0 < root 3 2 - 5 / 4.
 Proof. enclose. Qed.
 Example enclose_2 : root 3 (-2) + 13 / 10 > 0.

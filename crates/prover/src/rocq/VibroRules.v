@@ -135,10 +135,12 @@ Ltac is_known_nonzero :=
     | lra
     | match goal with
       | H : ?q <> 0 |- ?e <> 0 => intro; apply H; lra
+      | H : ?q <> 0 |- ?e <> 0 => let Z := fresh in intro Z; apply H; rewrite Z; ring
       | H : ?q > 0 |- ?e <> 0 => intro; cut (q = 0); [lra|lra]
       end
     | match goal with |- ?a * ?b <> 0 => apply Rmult_integral_contrapositive_currified; is_known_nonzero end
-    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end ].
+    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end
+    | enclose ].
 
 Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_known_nonzero.
 

@@ -41,10 +41,10 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
         return Err(Unwritten::Not("maps from one impact to the next"));
     }
     let body = match &decided.found {
-        Found::Proved { certificate, .. } => {
+        Found::Proved { certificate, point } => {
             let mut own = certificate.statement.clone();
             let mut steps = Steps::new(&mut own, &certificate.evidence);
-            Theorem::of(decided, &mut steps)?.proved(decided, &mut steps, &certificate.evidence.steps)?
+            Theorem::of(decided, &mut steps)?.proved(decided, &mut steps, &certificate.evidence.steps, point)?
         }
         Found::Refuted { witness } => {
             let mut own = witness.statement.clone();
@@ -258,6 +258,7 @@ impl Theorem {
         decided: &Decided,
         steps: &mut Steps,
         inferences: &[kernel::Inference],
+        point: &With<Witness>,
     ) -> Result<String, Unwritten> {
         let goals: Vec<(Property, Term)> = decided.question.statement.goal().to_vec();
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
@@ -284,7 +285,16 @@ impl Theorem {
                 Ground::Fact(_) | Ground::Law(_) | Ground::Given(_) | Ground::Definition(_) => {}
             }
         }
-        let named = steps.named(&named)?;
+        // what is given has the names of the steps
+        let mut changes = String::new();
+        for (number, given) in decided.question.statement.givens().iter().enumerate() {
+            if given.law.is_none() {
+                let short = property(given.property, &steps.short(given.term)?);
+                let _ = writeln!(changes, "change ({short}) in G{number}.");
+            }
+        }
+        named.extend(steps.named_here());
+        let named = steps.named(&named)? + &changes;
         self.of_names_in(&[&script, &named], steps);
         let mut text = format!("Theorem holds :\n{}.\nProof.\n", self.stated(steps));
         let names: Vec<&str> = self.hypotheses.iter().map(|own| own.name.as_str()).collect();
@@ -303,7 +313,7 @@ impl Theorem {
         text += &named;
         text += &script;
         text += "Qed.\n";
-        Ok(text)
+        Ok(text + &self.consistent(steps, point))
     }
 }
 
@@ -315,6 +325,38 @@ impl Theorem {
             let _ = writeln!(text, "  (* {} *)\n  ({}) ->", hypothesis.comment, hypothesis.says);
         }
         text + &format!("  (* claim: {} *)\n  {}", self.claim_comment, self.claim)
+    }
+
+    /// The theorem that the hypotheses hold somewhere, by a point; why it is missing where the point is not written.
+    fn consistent(&self, steps: &mut Steps, point: &With<Witness>) -> String {
+        if self.hypotheses.is_empty() {
+            return String::new();
+        }
+        let values = match values(steps, point) {
+            Ok(values) => values,
+            Err(unwritten) => return format!("\n(* That the hypotheses can hold is not written: {unwritten}. *)\n"),
+        };
+        let mut text = String::from("\nTheorem consistent :\n");
+        let names = [
+            steps.names.symbols().map(|(_, name)| name.as_str()).collect::<Vec<_>>(),
+            steps.names.functions().map(|(_, name)| name.as_str()).collect(),
+        ];
+        for (names, kind) in names.iter().zip(["R", "R -> R"]) {
+            if !names.is_empty() {
+                let _ = writeln!(text, "  exists {} : {kind},", names.join(" "));
+            }
+        }
+        for hypothesis in &self.hypotheses {
+            let _ = writeln!(text, "  ({}) /\\", hypothesis.says);
+        }
+        text += "  True.\nProof.\n";
+        for value in values {
+            let _ = writeln!(text, "exists {value}.");
+        }
+        for _ in &self.hypotheses {
+            text += "split; [at_point|].\n";
+        }
+        text + "exact I.\nQed.\n"
     }
 
     /// The theorem that the proposition fails, by its counterexample.
@@ -339,21 +381,62 @@ fn values(steps: &mut Steps, witness: &With<Witness>) -> Result<Vec<String>, Unw
     let functions: Vec<(u32, u32)> = steps.names.functions().map(|(function, _)| *function).collect();
     let mut values = Vec::new();
     for symbol in symbols {
+        if symbol.0 as usize >= at.statement().terms().symbols() {
+            // what only a proof speaks of
+            values.push("0".to_owned());
+            continue;
+        }
         let term = at.statement().terms_mut().symbol(symbol);
         let value = at.value(term)?;
         values.push(closed(at.statement(), value)?);
     }
-    for (function, order) in functions {
+    for &(function, order) in &functions {
         let named = witness.evidence.functions.iter().find(|(own, ..)| own.0 == function);
-        let (_, time, term) = named.ok_or(Unwritten::Not("a function given at single times"))?;
+        let Some((_, time, term)) = named else {
+            let is_alone = functions.iter().filter(|(own, _)| *own == function).count() == 1 && order == 0;
+            let table: Vec<_> = witness
+                .evidence
+                .table
+                .iter()
+                .filter(|(own, ..)| own.0 == function)
+                .collect();
+            if !is_alone || table.iter().any(|(_, order, ..)| *order > 0) {
+                return Err(Unwritten::Not("a function given by derivatives at single times"));
+            }
+            let mut points = Vec::new();
+            for (_, _, time, value) in table {
+                let [time, value] = [time, value].map(|term| at.value(*term));
+                points.push([closed(at.statement(), time?)?, closed(at.statement(), value?)?]);
+            }
+            values.push(through(&points));
+            continue;
+        };
         let mut value = at.value(*term)?;
         for _ in 0..order {
             value = at.statement().derivative(value, *time);
         }
         let body = closed(at.statement(), value)?;
-        values.push(format!("(fun {} : R => {body})", RUNNING));
+        values.push(format!("(fun {RUNNING} : R => {body})"));
     }
     Ok(values)
+}
+
+/// The polynomial through points, by the formula of Lagrange.
+fn through(points: &[[String; 2]]) -> String {
+    let mut terms = Vec::new();
+    for (place, [time, value]) in points.iter().enumerate() {
+        let mut term = value.clone();
+        for (_, [other, _]) in points.iter().enumerate().filter(|(other, _)| *other != place) {
+            let _ = write!(term, " * (({RUNNING} - {other}) / ({time} - {other}))");
+        }
+        terms.push(term);
+    }
+    let sum = if terms.is_empty() {
+        "0".to_owned()
+    } else {
+        terms.join(" + ")
+    };
+    format!("(fun {RUNNING} : R => {sum})")
 }
 
 /// The letter of the functions of a point.
@@ -373,6 +456,7 @@ fn closed(statement: &Statement, term: Term) -> Result<String, Unwritten> {
         whole: &BTreeSet::new(),
         is_short: false,
         met: BTreeSet::new(),
+        letters: BTreeMap::new(),
     };
     writer.term(term)
 }

@@ -82,28 +82,15 @@ impl<'a> Printer<'a> {
             }
             Tree::Quotient(above, below, _) => format!("({} / {})", of(above)?, of(below)?),
             Tree::Power(base, exponent @ 0.., _) => format!("({} ^ {exponent})", of(base)?),
-            Tree::Power(base, exponent, _) => match exponent.unsigned_abs() {
-                1 => format!("(1 / {})", of(base)?),
-                size => format!("(1 / ({} ^ {size}))", of(base)?),
-            },
+            Tree::Power(base, exponent, _) => raised(&of(base)?, *exponent),
             Tree::RealPower(base, exponent, _) => match base.as_ref() {
                 Tree::Symbol(name, _) if self.is_euler(name) => format!("(exp {})", of(exponent)?),
                 base => {
                     let base = of(base)?;
                     match rational(exponent) {
-                        Some((power, index)) => {
-                            let root = if index == 2 {
-                                format!("(sqrt {base})")
-                            } else {
-                                format!("(root {index} {base})")
-                            };
-                            match power {
-                                1 => root,
-                                0.. => format!("({root} ^ {power})"),
-                                -1 => format!("(1 / {root})"),
-                                _ => format!("(1 / ({root} ^ {}))", power.unsigned_abs()),
-                            }
-                        }
+                        Some((power, 1)) => raised(&base, power),
+                        Some((power, 2)) => raised(&format!("(sqrt {base})"), power),
+                        Some((power, index)) => raised(&format!("(root {index} {base})"), power),
                         None => format!("(rpow {base} {})", of(exponent)?),
                     }
                 }
@@ -172,13 +159,17 @@ impl<'a> Printer<'a> {
                 }
                 let printed = name.to_string();
                 let plain = printed.trim_end_matches('\'');
-                let order = u32::try_from(printed.len() - plain.len()).unwrap_or(0);
+                let mut order = u32::try_from(printed.len() - plain.len()).unwrap_or(0);
                 let function = {
                     let terms = steps.statement().terms();
                     let mut all = (0..u32::try_from(terms.functions()).unwrap_or(0)).map(kernel::Function);
                     all.find(|function| terms.function_name(*function) == plain)
                 };
-                let function = function.ok_or(Unwritten::Not("a function that is no function of its own"))?;
+                let mut function = function.ok_or(Unwritten::Not("a function that is no function of its own"))?;
+                // a derivative that has a name of its own
+                while let Some(&next) = steps.statement().derivatives().get(&function).filter(|_| order > 0) {
+                    (function, order) = (next, order - 1);
+                }
                 let statement = steps.statement().clone();
                 let name = steps.names.function(&statement, function, order);
                 return Ok(format!("({name} {at})"));
@@ -188,11 +179,22 @@ impl<'a> Printer<'a> {
     }
 }
 
-/// The exponent m/n of a root's power, where it is written with numbers and n is more than 1.
+/// An integer power as the kernel has it: that of exponent 1 is the base.
+fn raised(base: &str, exponent: i32) -> String {
+    let power = match exponent.unsigned_abs() {
+        1 => base.to_owned(),
+        size => format!("({base} ^ {size})"),
+    };
+    if exponent < 0 { format!("(1 / {power})") } else { power }
+}
+
+/// The exponent m/n of a power, where it is written with numbers alone.
 fn rational(exponent: &Tree) -> Option<(i32, u32)> {
     let value = texmath::number_of(exponent)?;
-    let index = u32::try_from(value.0.denominator()).ok().filter(|index| *index > 1)?;
-    Some((i32::try_from(value.0.numerator()).ok()?, index))
+    Some((
+        i32::try_from(value.0.numerator()).ok()?,
+        u32::try_from(value.0.denominator()).ok()?,
+    ))
 }
 
 /// A condition in TeX.

@@ -81,6 +81,7 @@ impl<'a> Steps<'a> {
             whole: &self.whole,
             is_short,
             met: BTreeSet::new(),
+            letters: BTreeMap::new(),
         };
         let text = write(&mut writer);
         let met = std::mem::take(&mut writer.met);
@@ -266,6 +267,10 @@ impl<'a> Steps<'a> {
                     let fact = self.fact(number);
                     format!("refine (positive_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
                 }
+                Property::NonNegative if self.property_of(number)? == Property::Zero => {
+                    let fact = self.fact(number);
+                    format!("apply Req_ge; refine (zero_of _ {by} {factor} _ {fact} _ _); [nonzero | same_fraction]")
+                }
                 Property::NonNegative => {
                     let fact = self.nonnegative_fact(number)?;
                     format!("refine (nonnegative_of _ {by} {factor} _ {fact} _ _ _); [lra | nonzero | same_fraction]")
@@ -273,7 +278,7 @@ impl<'a> Steps<'a> {
                 Property::Integer => format!("exact {}", self.fact(number)),
             });
         }
-        if self.checker.statement.sign_of(&polynomial).is_some() {
+        if shown != Property::Integer && self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
             return Ok(format!("change ({}); enclose", property(shown, &full)));
         }
@@ -327,6 +332,10 @@ impl<'a> Steps<'a> {
                     let fact = self.fact(number);
                     format!("refine (positive_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
                 }
+                Property::NonNegative if self.property_of(number)? == Property::Zero => {
+                    let fact = self.fact(number);
+                    format!("apply Req_ge; refine (zero_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
+                }
                 Property::NonNegative => {
                     let fact = self.nonnegative_fact(number)?;
                     format!("refine (nonnegative_of _ 1 {factor} _ {fact} _ _ _); [lra | lra | same_fraction]")
@@ -334,7 +343,7 @@ impl<'a> Steps<'a> {
                 Property::Integer => format!("exact {}", self.fact(number)),
             });
         }
-        if self.checker.statement.sign_of(polynomial).is_some() {
+        if shown != Property::Integer && self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
             return Ok(format!("change ({}); enclose", property(shown, &full)));
         }
@@ -530,7 +539,7 @@ impl<'a> Steps<'a> {
             }
             Inference::Law { source, at: Some(at) } => self.law(*source, *at),
             Inference::Law { .. } => Err(Unwritten::Not("a law that runs over an index")),
-            Inference::Between { .. } => Err(Unwritten::Not("an enclosure between bounds")),
+            Inference::Between { target, within } => self.between(target, within),
             Inference::Constant { .. } => Err(Unwritten::Not("a term whose derivative is 0")),
             Inference::Along { .. } => Err(Unwritten::Not("a derivative along a map")),
             Inference::Cases { .. } | Inference::Derivative(_) => Err(NO_SUCH),
@@ -573,8 +582,12 @@ impl<'a> Steps<'a> {
         });
         let mut text = String::new();
         let mut call = row.name.to_owned();
+        let mut natural = None;
         for (letter, &term) in row.letters.iter().zip(&axiom.terms) {
             let written = self.short(term)?;
+            if row.guards.contains(&format!("natural({letter})").as_str()) {
+                natural = Some((*letter, written.clone()));
+            }
             let _ = match is_natural(letter) {
                 true => write!(call, " {written}%nat"),
                 false => write!(call, " {written}"),
@@ -590,7 +603,11 @@ impl<'a> Steps<'a> {
                     let own = self.short(term)?;
                     let by = self.shown(shown, term)?;
                     let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
-                    call += &format!(" {}", relation(shown, printed, &format!("A{count}"), row));
+                    let is_nothing = self.is_nothing(printed, row, axiom);
+                    call += &format!(
+                        " {}",
+                        relation(shown, printed, is_nothing, &format!("A{count}"), &natural)
+                    );
                     count += 1;
                 }
                 // a letter has a value whatever it is here
@@ -629,7 +646,7 @@ impl<'a> Steps<'a> {
             return Err(NO_SUCH);
         };
         let own = self.short(term)?;
-        let whole = match (row.conclusion.ends_with(" 0"), shown) {
+        let whole = match (self.is_nothing(row.conclusion, row, axiom), shown) {
             (true, _) => format!("({call})"),
             (false, Property::Zero) => format!("(Rminus_diag_eq _ _ ({call}))"),
             (false, Property::Nonzero) => format!("(Rminus_eq_contra _ _ ({call}))"),
@@ -639,6 +656,15 @@ impl<'a> Steps<'a> {
         let _ = write!(text, "assert (B : {}) by exact {whole}.\n", property(shown, &own));
         text += &self.of_term(shown, term, "B")?;
         Ok(text)
+    }
+
+    /// Whether the right side of a relation is 0, which the kernel leaves out.
+    fn is_nothing(&self, printed: &str, row: &AxiomRow, axiom: &Axiom) -> bool {
+        let terms = self.checker.statement.terms();
+        let is_zero = |term: Term| matches!(terms.node(term), Node::Number(value) if value.0.is_zero());
+        let right = printed.rsplit(['=', '>']).next().unwrap_or_default().trim();
+        let mut letters = row.letters.iter().zip(&axiom.terms);
+        right == "0" || letters.any(|(letter, &term)| *letter == right && is_zero(term))
     }
 
     fn unfold(&mut self, term: Term) -> Text {
@@ -798,6 +824,54 @@ impl<'a> Steps<'a> {
         ))
     }
 
+    /// A polynomial is positive wherever its letters lie between facts.
+    fn between(&mut self, target: &Polynomial, within: &[[usize; 2]]) -> Text {
+        let (mut letters, mut given, mut bounds, mut shown) =
+            (BTreeMap::new(), String::new(), String::new(), String::new());
+        for (place, pair) in within.iter().enumerate() {
+            let facts = [self.polynomial_of(pair[0])?, self.polynomial_of(pair[1])?];
+            let letter = facts[0].generators().into_iter().find(|&letter| {
+                facts[1].generators().contains(&letter) && !self.checker.statement.terms().is_closed(letter)
+            });
+            let letter = letter.ok_or(NO_SUCH)?;
+            let own = format!("X{place}");
+            letters.insert(letter, own.clone());
+            let name = self.short(letter)?;
+            let _ = write!(given, " {name}");
+            let mut sides = Vec::new();
+            for fact in &facts {
+                let of_letter = |monomial: &kernel::Monomial| monomial.as_slice() == [(letter, 1)];
+                let slope = fact
+                    .terms()
+                    .iter()
+                    .find(|(monomial, _)| of_letter(monomial))
+                    .ok_or(NO_SUCH)?;
+                let rest = fact
+                    .terms()
+                    .iter()
+                    .filter(|(monomial, _)| !of_letter(monomial))
+                    .cloned();
+                let rest = Polynomial::from_terms(rest).scaled(&(-Rational::one() / Rational(slope.1.clone())));
+                sides.push(self.full_polynomial(&rest)?);
+            }
+            let [low, high] = [0, 1].map(|side| sides.get(side).cloned().unwrap_or_default());
+            let _ = write!(bounds, "{low} <= {own} <= {high} -> ");
+            let (first, second) = (self.nonnegative_fact(pair[0])?, self.nonnegative_fact(pair[1])?);
+            let _ = write!(shown, " ltac:(generalize {first} {second}; intros; split; lra)");
+        }
+        let names: Vec<String> = letters.values().cloned().collect();
+        let claim = self.write(false, &mut |writer| {
+            writer.letters.clone_from(&letters);
+            writer.polynomial(target)
+        })?;
+        let bound: Vec<String> = (0..within.len()).map(|place| format!("X{place}")).collect();
+        let first = names.first().cloned().unwrap_or_default();
+        Ok(format!(
+            "assert (B : forall {} : R, {bounds}{claim} > 0).\n{{ intros; enclose_on {first}. }}\nexact (B{given}{shown})",
+            bound.join(" ")
+        ))
+    }
+
     fn congruence(&mut self, left: Term, right: Term) -> Text {
         let terms = self.checker.statement.terms_mut();
         let [a, b] = match (terms.node(left).clone(), terms.node(right).clone()) {
@@ -884,6 +958,15 @@ impl<'a> Steps<'a> {
         ))
     }
 
+    /// The terms that were written by their names since they were asked for.
+    pub fn named_here(&mut self) -> Vec<Term> {
+        let named = |ground| match ground {
+            Ground::Named(term) => Some(term),
+            _ => None,
+        };
+        std::mem::take(&mut self.on).into_iter().filter_map(named).collect()
+    }
+
     /// The definitions of names for terms, in order.
     pub fn named(&mut self, terms: &BTreeSet<Term>) -> Text {
         let mut all = terms.clone();
@@ -910,21 +993,21 @@ impl<'a> Steps<'a> {
 }
 
 /// The guard of an axiom, as its lemma has it, from the property of the difference of its sides.
-fn relation(shown: Property, printed: &str, proof: &str, row: &AxiomRow) -> String {
-    if printed.ends_with(" 0") || shown == Property::Integer {
+fn relation(shown: Property, printed: &str, is_nothing: bool, proof: &str, natural: &Option<(&str, String)>) -> String {
+    if is_nothing || shown == Property::Integer {
         return proof.to_owned();
     }
-    let natural = row.guards.iter().find_map(|guard| guard.strip_prefix("natural("));
-    let natural = natural.map(|rest| rest.trim_end_matches(')'));
     let equal = format!("(Rminus_diag_uniq _ _ {proof})");
-    match shown {
-        Property::Zero => match natural {
-            Some(letter) if printed.ends_with(&format!("= {letter}")) => format!("(is_INR _ _ {equal})"),
-            Some(letter) if printed.ends_with(&format!("= -{letter}")) => format!("(is_negative_INR _ _ {equal})"),
-            _ => equal,
-        },
-        Property::Nonzero => format!("(Rminus_not_eq _ _ {proof})"),
-        Property::Positive => format!("(Rminus_gt _ _ {proof})"),
+    match (shown, natural) {
+        (Property::Zero, Some((letter, value))) if printed.ends_with(&format!("= {letter}")) => {
+            format!("(is_INR {value}%nat _ {equal})")
+        }
+        (Property::Zero, Some((letter, value))) if printed.ends_with(&format!("= -{letter}")) => {
+            format!("(is_negative_INR {value}%nat _ {equal})")
+        }
+        (Property::Zero, _) => format!("ltac:(first [exact {equal} | lra])"),
+        (Property::Nonzero, _) => format!("(Rminus_not_eq _ _ {proof})"),
+        (Property::Positive, _) => format!("(Rminus_gt _ _ {proof})"),
         _ => format!("(Rminus_ge _ _ {proof})"),
     }
 }

@@ -145,11 +145,16 @@ pub struct Writer<'a> {
     pub is_short: bool,
     /// The generators that were written by their names.
     pub met: BTreeSet<Term>,
+    /// Terms that letters stand for.
+    pub letters: BTreeMap<Term, String>,
 }
 
 impl Writer<'_> {
     /// A term; a generator by its name, unless it is written out.
     pub fn term(&mut self, term: Term) -> Result<String, Unwritten> {
+        if let Some(letter) = self.letters.get(&term) {
+            return Ok(letter.clone());
+        }
         let is_made = match self.statement.terms().node(term) {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => false,
             Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => self.whole.contains(&term),
