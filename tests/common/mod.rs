@@ -9,5 +9,6 @@ pub mod mutants;
 pub mod paper;
 pub mod program;
 pub mod rewrite;
+pub mod rocq;
 pub mod sample;
 pub mod trees;

@@ -115,6 +115,14 @@ impl Formula {
     }
 }
 
+/// The sheets of the formulas that a test takes, by their names.
+pub fn sheets(takes: impl Fn(&str) -> bool) -> Vec<(String, Sheet)> {
+    let handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();
+    let taken = handbook.formula.into_iter().filter(|formula| takes(&formula.id));
+    let sheet = |formula: Formula| Some((formula.id.clone(), Sheet::read(&formula.sheet(), &Symbols::default()).ok()?));
+    taken.filter_map(sheet).collect()
+}
+
 #[test]
 fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
     let mut handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();

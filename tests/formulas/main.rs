@@ -19,6 +19,7 @@ mod proofs;
 mod reductions;
 mod repairs;
 mod rewriting;
+mod rocq;
 mod sheets;
 mod tex;
 mod textbook;

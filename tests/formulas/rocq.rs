@@ -1,0 +1,177 @@
+//! Proofs and counterexamples as Rocq accepts them: theorems that say what is printed, with no axioms but those of the real
+//! numbers. Where Rocq is not installed, nothing is checked, and a word says so.
+
+use crate::common::rocq::{checked, library};
+use crate::common::{attacks, sample};
+use crate::handbook;
+use std::collections::BTreeMap;
+use vibro_audit::claim::{EQUATIONS, Sheet, vocabulary};
+use vibro_audit::kernel::AxiomRow;
+use vibro_audit::prove::{Found, Options, decided, rocq};
+
+/// What became of the questions of a corpus.
+#[derive(Default)]
+struct Count {
+    accepted: usize,
+    refused: Vec<String>,
+    unwritten: BTreeMap<String, usize>,
+}
+
+impl Count {
+    fn share(&self) -> f64 {
+        let all = self.accepted + self.refused.len() + self.unwritten.values().sum::<usize>();
+        self.accepted as f64 / all.max(1) as f64
+    }
+}
+
+/// Writes and checks what decides the claims of sheets: proofs, and refutations.
+fn counted(sheets: &[(String, Sheet)]) -> Option<[Count; 2]> {
+    let folder = library()?;
+    let mut counts = [Count::default(), Count::default()];
+    let (mut texts, mut places) = (Vec::new(), Vec::new());
+    for (name, sheet) in sheets {
+        for position in 0..sheet.entries.len() {
+            for one in decided(sheet, position, &Options::default()) {
+                let kind = usize::from(matches!(one.found, Found::Refuted { .. }));
+                match rocq::file(&one) {
+                    Ok(text) => {
+                        texts.push(text);
+                        places.push((kind, format!("{name} ({}): {}", one.label, one.printed)));
+                    }
+                    Err(why) => *counts[kind].unwritten.entry(why.to_string()).or_default() += 1,
+                }
+            }
+        }
+    }
+    for ((kind, place), fault) in places.into_iter().zip(checked(folder, &texts, &["holds", "fails", "consistent"])) {
+        match fault {
+            None => counts[kind].accepted += 1,
+            Some(fault) => counts[kind].refused.push(format!("{place}\n    {fault}")),
+        }
+    }
+    for (count, kind) in counts.iter().zip(["proved", "refuted"]) {
+        println!("{kind}: {} accepted, {} refused, unwritten: {:?}", count.accepted, count.refused.len(), count.unwritten);
+        count.refused.iter().for_each(|refused| println!("refused: {refused}"));
+    }
+    Some(counts)
+}
+
+/// A row of the table of axioms as Rocq states it: `power(x, y)` as `rpow x y`, natural letters as such.
+fn stated(row: &AxiomRow) -> String {
+    let all = format!("{} ; {}", row.guards.join(" ; "), row.conclusion);
+    let is_index = |letter: &str| all.contains(&format!("root({letter},"));
+    let is_natural = |letter: &str| {
+        let kinds = ["natural", "even", "odd"];
+        kinds.iter().any(|kind| all.contains(&format!("{kind}({letter})"))) || is_index(letter)
+    };
+    let mut premises = Vec::new();
+    if row.letters.iter().any(|letter| is_index(letter)) {
+        premises.push("(2 <= n)%nat".to_owned());
+    }
+    for guard in &row.guards {
+        let (kind, of) = guard.split_once('(').unwrap_or((guard, ""));
+        let of = of.trim_end_matches(')');
+        match kind {
+            "real" | "reals" | "natural" => {}
+            "defined" => match of.split_once('(') {
+                None => {}
+                Some(("ln", x)) => premises.push(format!("{x} > 0")),
+                Some(("root", _)) => premises.push("(Nat.even n = true -> x >= 0)".to_owned()),
+                Some(("arcsin" | "arccos", x)) => premises.extend([format!("1 - {x} >= 0"), format!("1 + {x} >= 0")]),
+                Some(("arctan", _)) => {}
+                other => panic!("{other:?}"),
+            },
+            "even" | "odd" => premises.push(format!("Nat.{kind} {of} = true")),
+            "integer" => premises.push(format!("integer {of}")),
+            _ => {
+                let natural = row.letters.iter().find(|letter| {
+                    is_natural(letter) && (guard.ends_with(&format!("= {letter}")) || guard.ends_with(&format!("= -{letter}")))
+                });
+                premises.push(match natural {
+                    Some(letter) => guard.replace(&format!("-{letter}"), &format!("- INR {letter}")).replace(&format!("= {letter}"), &format!("= INR {letter}")),
+                    None => term(guard),
+                });
+            }
+        }
+    }
+    let letters = row.letters.iter().map(|letter| format!("({letter} : {})", if is_natural(letter) { "nat" } else { "R" }));
+    let letters = letters.collect::<Vec<_>>().join(" ");
+    let quantified = if letters.is_empty() { String::new() } else { format!("forall {letters}, ") };
+    let premises = premises.iter().map(|premise| format!("{premise} -> ")).collect::<String>();
+    format!("{quantified}{premises}{}", term(row.conclusion))
+}
+
+/// A formula of the table in Rocq's words.
+fn term(text: &str) -> String {
+    let words = [("!=", "<>"), ("arc", "a"), ("pi", "PI"), ("power(", "rpow2 ("), ("root(", "root2 (")];
+    words.iter().fold(text.to_owned(), |text, (ours, theirs)| text.replace(ours, theirs))
+}
+
+#[test]
+fn each_axiom_of_the_kernel_is_a_lemma() {
+    let Some(folder) = library() else { return };
+    let rows: Vec<&AxiomRow> = AxiomRow::all().iter().filter(|row| !row.guards.contains(&"complex")).collect();
+    let head = "Notation \"'rpow2' ( x , y )\" := (rpow x y).\nNotation \"'root2' ( n , x )\" := (root n x).\n";
+    let text = |row: &&AxiomRow| format!("{head}Theorem holds : {}.\nexact {}.\nQed.\n", stated(row), row.name);
+    let texts: Vec<String> = rows.iter().map(text).collect();
+    for (row, fault) in rows.iter().zip(checked(folder, &texts, &["holds"])) {
+        assert_eq!(fault, None, "{}: {}", row.name, stated(row));
+    }
+    // the complex ones have their lemmas too
+    let complex = AxiomRow::all().iter().filter(|row| !row.guards.contains(&"reals"));
+    let names: Vec<&str> = complex.map(|row| row.name).collect();
+    let text = |name: &&str| format!("Theorem holds : True.\npose proof C_{name}. exact I.\nQed.\n");
+    let texts: Vec<String> = names.iter().map(text).collect();
+    for (name, fault) in names.iter().zip(checked(folder, &texts, &["holds"])) {
+        assert_eq!(fault, None, "{name}");
+    }
+}
+
+#[test]
+fn most_of_the_handbook_is_accepted_and_nothing_is_refused() {
+    let sheets = handbook::sheets(|id| sample::takes(id, 8));
+    let Some([proved, refuted]) = counted(&sheets) else { return };
+    assert_eq!((proved.refused, refuted.refused), (Vec::new(), Vec::new()));
+}
+
+#[test]
+fn most_of_the_attacks_are_accepted_and_nothing_is_refused() {
+    let attacks = attacks::all().into_iter().filter(|attack| sample::takes(&attack.path(), 16));
+    let sheets: Vec<_> = attacks.filter_map(|attack| Some((attack.path(), attack.read().ok()?))).collect();
+    let Some([proved, refuted]) = counted(&sheets) else { return };
+    assert_eq!((proved.refused, refuted.refused), (Vec::new(), Vec::new()));
+}
+
+#[test]
+fn the_equations_of_the_paper_are_theorems() {
+    let sheet = Sheet::read(EQUATIONS, &vocabulary().unwrap()).unwrap();
+    let Some([proved, _]) = counted(&[("paper".to_owned(), sheet)]) else { return };
+    assert_eq!(proved.refused, Vec::<String>::new());
+}
+
+#[test]
+fn a_changed_theorem_is_refused() {
+    let Some(folder) = library() else { return };
+    let sheets = handbook::sheets(|id| sample::takes(id, 8));
+    let (mut texts, mut whole) = (Vec::new(), Vec::new());
+    for (_, sheet) in &sheets {
+        let Some(position) = sheet.find("c") else { continue };
+        for one in decided(sheet, position, &Options::default()).iter().take(1) {
+            let Ok(text) = rocq::file(one) else { continue };
+            let Some((before, claim)) = text.split_once("  (* claim: ") else { continue };
+            let Some((comment, rest)) = claim.split_once("*)\n  ") else { continue };
+            // the claim with 1 more on its right side, or that a side is more by 1
+            let Some((claim, proof)) = rest.split_once(".\nProof.") else { continue };
+            if !text.contains("Theorem holds") || !claim.contains(" = ") {
+                continue;
+            }
+            texts.push(format!("{before}  (* claim: {comment}*)\n  {claim} + 1.\nProof.{proof}"));
+            whole.push(text.clone());
+        }
+    }
+    assert!(texts.len() >= 5, "{}", texts.len());
+    for (text, fault) in texts.iter().zip(checked(folder, &texts, &["holds"])) {
+        assert!(fault.is_some(), "{text}");
+    }
+    assert!(checked(folder, &whole, &["holds"]).iter().all(Option::is_none));
+}
