@@ -23,11 +23,13 @@ pub enum Format {
     Html,
     /// Findings for CI, with their places in the source.
     Sarif,
+    /// Proofs as short scripts for people, with the rows as text.
+    Sympy,
 }
 
 impl Format {
     /// Every format, in the order in which help lists them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Text,
         Self::Csv,
         Self::Json,
@@ -36,6 +38,7 @@ impl Format {
         Self::Junit,
         Self::Html,
         Self::Sarif,
+        Self::Sympy,
     ];
 
     /// Whether it prints tables row by row, whatever they hold.
@@ -54,6 +57,7 @@ impl Format {
             Self::Junit => "junit",
             Self::Html => "html",
             Self::Sarif => "sarif",
+            Self::Sympy => "sympy",
         }
     }
 }
@@ -66,7 +70,7 @@ impl fmt::Display for Format {
 
 /// A name that is no format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown format `{0}`: text, csv, json, jsonl, markdown, junit, html and sarif are known")]
+#[error("unknown format `{0}`: text, csv, json, jsonl, markdown, junit, html, sarif and sympy are known")]
 pub struct UnknownFormat(pub String);
 
 impl FromStr for Format {
