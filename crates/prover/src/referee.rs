@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 pub const LONGEST: usize = 40;
 
 /// The most characters of a line.
-const WIDEST: usize = 110;
+pub(super) const WIDEST: usize = 110;
 
 /// Why a decided claim has no short script.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
@@ -48,6 +48,8 @@ pub enum NoScript {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Block {
     pub(super) lines: Vec<String>,
+    /// The rules that led from the claim to the goal.
+    rules: Vec<String>,
 }
 
 impl Block {
@@ -131,14 +133,7 @@ pub fn short_scripts(sheet: &Sheet, position: usize, options: &Options) -> Resul
 
 fn block(one: &Decided) -> Result<Block, NoScript> {
     let mut block = Block::default();
-    let rules = &one.goal.statements.rules;
-    if !rules.is_empty() {
-        let rules: Vec<String> = rules.iter().map(ToString::to_string).collect();
-        block.comment(&format!(
-            "reduced by rules that are trusted ({}); this is about what they lead to:",
-            rules.join("; ")
-        ));
-    }
+    block.rules = one.goal.statements.rules.iter().map(ToString::to_string).collect();
     let part = match one.goal.part.as_str() {
         "" => String::new(),
         part => format!(" ({part})"),
@@ -148,7 +143,7 @@ fn block(one: &Decided) -> Result<Block, NoScript> {
         instance => format!(", {instance}"),
     };
     let goal = one.question.equation.to_string();
-    if !(rules.is_empty() && part.is_empty() && instance.is_empty() && is_same(&goal, &one.printed)) {
+    if !(block.rules.is_empty() && part.is_empty() && instance.is_empty() && is_same(&goal, &one.printed)) {
         block.comment(&format!("goal{part}{instance}:  {goal}"));
     }
     match &one.found {
@@ -183,7 +178,23 @@ fn script(parts: &[(&Decided, Block)]) -> Result<String, NoScript> {
         verdicts.join(" and ")
     ));
     head.comment(&format!("claim:  {printed}"));
-    let mut body: Vec<String> = parts.iter().flat_map(|(_, block)| block.lines.clone()).collect();
+    let rules: BTreeSet<&str> = parts
+        .iter()
+        .flat_map(|(_, block)| &block.rules)
+        .map(String::as_str)
+        .collect();
+    if !rules.is_empty() {
+        let rules: Vec<&str> = rules.into_iter().collect();
+        head.comment(&format!(
+            "reduced to what is below by rules that are trusted:  {}",
+            rules.join("; ")
+        ));
+    }
+    let mut body: Vec<String> = Vec::new();
+    for (place, (_, block)) in parts.iter().enumerate() {
+        let is_new = parts.iter().take(place).all(|(_, before)| before.lines != block.lines);
+        body.extend(block.lines.iter().filter(|_| is_new).cloned());
+    }
     if body.iter().any(|line| words(line).contains("is_zero")) {
         body.insert(
             0,

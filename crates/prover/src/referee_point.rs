@@ -137,13 +137,16 @@ impl Point<'_> {
         if !functions.iter().all(is_named) {
             return Err(NoScript::Functions);
         }
-        let is_new = self.bound.insert(time);
-        let name = self.printer.symbol(self.at.statement(), time);
-        if is_new {
-            let quoted = quoted(&name);
-            self.asserts.code(&format!("{name} = symbols({quoted}, real=True)"), "");
-        }
-        let expression = self.expression(given.term)?;
+        // the claim may be of one time
+        let statement = self.at.statement();
+        let any = statement.fresh(&statement.terms().symbol_name(time).to_owned());
+        let at_any = statement.terms_mut().symbol(any);
+        let term = statement.terms_mut().substitute(given.term, time, at_any);
+        self.bound.insert(any);
+        let name = self.printer.symbol(self.at.statement(), any);
+        let expression = self.expression(term)?;
+        let quoted = quoted(&name);
+        self.asserts.code(&format!("{name} = symbols({quoted}, real=True)"), "");
         let comment = format!("({}), at all {name}", given.origin);
         self.asserts
             .code(&format!("assert simplify({expression}) == 0"), &comment);

@@ -2,17 +2,17 @@
 
 use super::explanation::{Proof, named, unmarked};
 use super::print::tex;
-use super::referee::{Block, NoScript};
+use super::referee::{Block, NoScript, WIDEST};
 use super::script::Decided;
 use super::session::term_of;
 use super::sympy::{Printer, assumptions, number};
 use kernel::{
-    AxiomRow, Certificate, Checker, Expansion, Inference, LawSource, Node, Origin, Polynomial, Property, Statement,
-    Summand, Term, With,
+    AxiomRow, Certificate, Checker, Expansion, Function, Inference, LawSource, Node, Origin, Polynomial, Property,
+    Statement, Summand, Symbol, Term, With,
 };
 use num_traits::One;
 use numbers::Rational;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Writes the argument of a proof.
 pub(super) fn write(one: &Decided, certificate: &With<Certificate>, block: &mut Block) -> Result<(), NoScript> {
@@ -22,30 +22,89 @@ pub(super) fn write(one: &Decided, certificate: &With<Certificate>, block: &mut 
         certificate: &certificate.evidence,
         printer: Printer::default(),
         written: BTreeMap::new(),
+        count: 0,
+        equations: BTreeMap::new(),
+        derivatives: BTreeMap::new(),
         block: Block::default(),
     };
     writer.argument()?;
-    declare(&writer.printer, &mut writer.proof.statement, block);
+    let provided = provided(&writer.proof.statement);
+    if !provided.is_empty() {
+        block.comment(&format!("provided: {provided}"));
+    }
+    declare(&writer.printer, &writer.derivatives, &mut writer.proof.statement, block);
     block.lines.append(&mut writer.block.lines);
     Ok(())
 }
 
-/// Declares the symbols and functions that were named.
-pub(super) fn declare(printer: &Printer, statement: &mut Statement, block: &mut Block) {
+/// The givens that derivatives exist, which no premise says.
+fn provided(statement: &Statement) -> String {
+    let origins = statement.givens().iter().map(|given| &given.origin);
+    let origins = origins.filter(|origin| matches!(origin, Origin::DerivativesExist(_)));
+    let provided: BTreeSet<String> = origins.map(ToString::to_string).collect();
+    provided.into_iter().collect::<Vec<_>>().join("; ")
+}
+
+/// Declares the symbols and functions that were named, some of these with their derivatives.
+fn declare(
+    printer: &Printer,
+    derivatives: &BTreeMap<(Function, u32), (Function, u32)>,
+    statement: &mut Statement,
+    block: &mut Block,
+) {
     let mut kinds: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for (symbol, name) in printer.symbols() {
         kinds.entry(assumptions(statement, *symbol)).or_default().push(name);
     }
     let real = if statement.is_complex() { "" } else { ", real=True" };
-    let functions = printer.functions().values().map(String::as_str);
+    let functions = printer
+        .functions()
+        .iter()
+        .filter(|(function, _)| !derivatives.contains_key(function));
+    let functions = functions.map(|(_, name)| name.as_str());
     kinds.insert(format!("cls=Function{real}"), functions.collect());
     for (assumed, names) in kinds {
-        // a text is not broken
-        for some in names.chunks(12) {
-            let declared = format!("{} = symbols(\"{}\", {assumed})", some.join(", "), some.join(" "));
-            block.code(&declared, "");
+        let declared = |some: &[&str]| format!("{} = symbols(\"{}\", {assumed})", some.join(", "), some.join(" "));
+        let mut rest = names.as_slice();
+        while !rest.is_empty() {
+            // a text cannot be broken
+            let fits = (1..=rest.len())
+                .rev()
+                .find(|&count| declared(&rest[..count]).len() <= WIDEST);
+            let (some, after) = rest.split_at(fits.unwrap_or(1));
+            block.code(&declared(some), "");
+            rest = after;
         }
     }
+    for (function, derivative) in derivatives {
+        let name = |function| printer.functions().get(function).map_or("", String::as_str);
+        let (name, derivative) = (name(function), name(derivative));
+        let own = format!("{{\"fdiff\": lambda self, i=1: {derivative}(self.args[0])}}");
+        block.code(
+            &format!("{name} = type(\"{name}\", (Function,), {own})"),
+            &format!("{name}' = {derivative}"),
+        );
+    }
+}
+
+/// The unknown functions in a term, each with the order of its derivative.
+fn functions_in(statement: &Statement, term: Term) -> BTreeSet<(Function, u32)> {
+    let inside = statement.terms().inside(term).into_iter();
+    let function = |inner| match statement.terms().node(inner) {
+        Node::Value(function, order, _) => Some((*function, *order)),
+        _ => None,
+    };
+    inside.filter_map(function).collect()
+}
+
+/// The symbols in a term.
+fn symbols_in(statement: &Statement, term: Term) -> BTreeSet<Symbol> {
+    let inside = statement.terms().inside(term).into_iter();
+    let symbol = |inner| match statement.terms().node(inner) {
+        Node::Symbol(symbol) => Some(*symbol),
+        _ => None,
+    };
+    inside.filter_map(symbol).collect()
 }
 
 /// A fact as a script has it.
@@ -55,16 +114,17 @@ struct Written {
     multiplier: String,
 }
 
-/// A property that a step needs, and the fact that says so.
+/// A property that a step needs, and the fact that says so; none where it is given as it stands.
 struct Condition {
     property: Property,
     term: Term,
-    fact: usize,
+    fact: Option<usize>,
 }
 
 /// A goal, cleared of its divisors.
 struct Goal {
     name: String,
+    term: Term,
     property: Property,
     /// The goal times what it divides by, as a polynomial and as an expression.
     polynomial: Polynomial,
@@ -79,6 +139,11 @@ struct Writer<'a> {
     certificate: &'a Certificate,
     printer: Printer,
     written: BTreeMap<usize, Written>,
+    /// How many expressions have a name.
+    count: usize,
+    /// The names of equations of maps, and the derivatives of functions in these.
+    equations: BTreeMap<(usize, usize), String>,
+    derivatives: BTreeMap<(Function, u32), (Function, u32)>,
     block: Block,
 }
 
@@ -95,13 +160,17 @@ impl Writer<'_> {
             if !conditions.contains_key(&fact) {
                 let needed = self.conditions(fact)?;
                 open.extend(self.proof.below(&self.proof.facts[fact].1).range(..fact));
-                open.extend(needed.iter().flat_map(|condition| self.basis(condition.fact)));
+                open.extend(
+                    needed
+                        .iter()
+                        .filter_map(|condition| condition.fact)
+                        .flat_map(|fact| self.basis(fact)),
+                );
                 conditions.insert(fact, needed);
             }
         }
         let goals = self.goals(known)?;
         let shown: Vec<usize> = conditions.keys().copied().collect();
-        self.proof.numbers = shown.iter().copied().zip(1..).collect();
         for fact in shown {
             let needed = conditions.remove(&fact).unwrap_or_default();
             self.fact(fact, &needed, &goals)?;
@@ -156,6 +225,7 @@ impl Writer<'_> {
             let expression = product(&[&name, &multiplier]);
             goals.push(Goal {
                 name,
+                term,
                 property,
                 polynomial,
                 expression,
@@ -218,17 +288,25 @@ impl Writer<'_> {
             }
             Inference::Between { .. } => return Err(NoScript::Bounds),
             Inference::Cases { .. } => return Err(NoScript::Cases),
-            Inference::Along { .. } => return Err(NoScript::Maps),
+            Inference::Along { map, equation, by } => along_conditions(statement, map, equation, by)?,
             Inference::Derivative(_) | Inference::Constant { .. } => return Err(NoScript::Laws),
             _ => Vec::new(),
         };
         let mut conditions = Vec::new();
         for (property, term) in needed {
-            if let Some(fact) = self.first_known(property, term, fact)? {
+            let fact = self.first_known(property, term, fact)?;
+            if fact.is_some() || self.is_said(property, term) {
                 conditions.push(Condition { property, term, fact });
             }
         }
         Ok(conditions)
+    }
+
+    /// Returns true if a property of a term, and not of a symbol, is given as it stands.
+    fn is_said(&self, property: Property, term: Term) -> bool {
+        let statement = &self.proof.statement;
+        let is_symbol = matches!(statement.terms().node(term), Node::Symbol(_));
+        !is_symbol && !statement.terms().is_closed(term) && given_as(statement, property, term).is_some()
     }
 
     /// The fact before another from which on a property is known; none where it is known by itself.
@@ -269,10 +347,31 @@ impl Writer<'_> {
             }
             None => None,
         };
-        let name = format!("e{}", self.proof.numbers[&number]);
+        if let Inference::Congruence { left, right } = step
+            && self.printer.expression(&self.proof.statement, left)?
+                == self.printer.expression(&self.proof.statement, right)?
+        {
+            // SymPy writes both alike
+            self.written.insert(
+                number,
+                Written {
+                    name: "0".to_owned(),
+                    multiplier: String::new(),
+                },
+            );
+            return Ok(());
+        }
+        self.count += 1;
+        let name = format!("e{}", self.count);
         let source = lowered(&unmarked(&self.proof.source(&step)));
         let mut comment = format!("{name} is {}, {source}", words(fact.property));
         let mut multiplier = String::new();
+        if let Inference::Along { map, equation, by } = step {
+            let of = self.premise_along(map, equation)?;
+            multiplier = self.along(&name, of, [map, equation], by, &fact.polynomial)?;
+            self.written.insert(number, Written { name, multiplier });
+            return Ok(());
+        }
         let expression = match (own, self.term(number)) {
             (Some(own), _) => own,
             (None, Some((term, clears))) => {
@@ -307,27 +406,121 @@ impl Writer<'_> {
         Ok(())
     }
 
+    /// Names an equation of a map, abbreviations written out, as it is differentiated; gives the name.
+    fn premise_along(&mut self, map: usize, equation: usize) -> Result<String, NoScript> {
+        let key = (map, equation);
+        if let Some(name) = self.equations.get(&key) {
+            return Ok(name.clone());
+        }
+        let maps = self.proof.statement.maps();
+        let own = maps.get(map).and_then(|step| step.equations.get(equation)).cloned();
+        let (origin, term) = own.ok_or(NoScript::Step)?;
+        let written = self.proof.statement.written_out(term);
+        let name = self.printer.free("p");
+        let expression = self.printer.expression(&self.proof.statement, written)?;
+        let givens = self.proof.statement.givens().iter();
+        let place = givens
+            .clone()
+            .position(|given| given.origin == origin && given.term == term);
+        let printed = place
+            .and_then(|given| self.premise(given))
+            .map_or(String::new(), |tex| format!(":  {tex}"));
+        self.block.name(
+            &name,
+            &expression,
+            &format!("{name} is 0 by ({origin}), abbreviations written out{printed}"),
+        );
+        for function in functions_in(&self.proof.statement, written) {
+            self.differentiate(function);
+        }
+        self.equations.insert(key, name.clone());
+        Ok(name)
+    }
+
+    /// Names the derivative of a function, for SymPy to differentiate by.
+    fn differentiate(&mut self, (function, order): (Function, u32)) {
+        let statement = &mut self.proof.statement;
+        let zero = statement.terms_mut().integer(0);
+        let next = statement.value(function, order + 1, zero);
+        if let Node::Value(next, more, _) = *statement.terms().node(next) {
+            self.printer.function(statement, next, more);
+            self.derivatives.insert((function, order), (next, more));
+        }
+    }
+
+    /// Names the derivative of an equation along a map, as SymPy finds it; gives what clears it.
+    fn along(
+        &mut self,
+        name: &str,
+        of: String,
+        [map, equation]: [usize; 2],
+        by: Symbol,
+        fact: &Polynomial,
+    ) -> Result<String, NoScript> {
+        let [written, slope] = slope_along(&mut self.proof.statement, map, equation, by)?;
+        let (polynomial, multiplier) = self.cleared(Property::Zero, slope).ok_or(NoScript::Step)?;
+        if polynomial != *fact {
+            return Err(NoScript::Step);
+        }
+        let starts = self
+            .proof
+            .statement
+            .maps()
+            .get(map)
+            .map(|step| step.by.clone())
+            .unwrap_or_default();
+        let (mut parts, mut moved) = (Vec::new(), Vec::new());
+        for symbol in symbols_in(&self.proof.statement, written) {
+            let printed = self.printer.symbol(&self.proof.statement, symbol);
+            if symbol == by {
+                parts.insert(0, format!("diff({of}, {printed})"));
+            } else if self.proof.statement.moves_along(symbol) && !starts.contains(&symbol) {
+                let partial = self.proof.statement.partial(symbol, by);
+                let partial = self.printer.symbol(&self.proof.statement, partial);
+                parts.push(format!("diff({of}, {printed})*{partial}"));
+                moved.push(printed);
+            }
+        }
+        let by = self.printer.symbol(&self.proof.statement, by);
+        let comment = format!(
+            "{name} is 0: {of} differentiated by {by}{}",
+            match moved.as_slice() {
+                [] => String::new(),
+                moved => format!(" along the map, which moves {}", moved.join(" and ")),
+            }
+        );
+        self.block.name(name, &sum(&parts), &comment);
+        Ok(multiplier)
+    }
+
     /// What must hold for a step; what is 0 by a combination is asserted.
     fn conditions_in_words(&mut self, conditions: &[Condition]) -> Result<Vec<String>, NoScript> {
         let mut words = Vec::new();
         for condition in conditions {
-            let reference = self.reference(condition.fact)?;
-            match (condition.property, self.written.get(&condition.fact)) {
-                (Property::Zero, _) | (_, None) => {
-                    let (polynomial, multiplier) =
-                        self.cleared(condition.property, condition.term).ok_or(NoScript::Step)?;
-                    let known = &self.proof.facts[condition.fact].0.polynomial;
-                    let ratio = ratio(known, &polynomial);
-                    let own = self.printer.factor(&self.proof.statement, condition.term)?;
-                    let left = scaled(&ratio, &product(&[&own, &multiplier]));
-                    let comment = format!("so {} = 0", tex(self.proof.statement.terms(), condition.term));
-                    self.block
-                        .code(&format!("assert is_zero({left} - ({reference}))"), &comment);
-                }
+            let Some(fact) = condition.fact else {
+                let shown = tex(self.proof.statement.terms(), condition.term);
+                words.push(format!("{shown} is {}", self::words(condition.property)));
+                continue;
+            };
+            match (condition.property, self.written.get(&fact)) {
+                (Property::Zero, _) | (_, None) => self.vanishing(condition.term, fact)?,
                 (property, Some(written)) => words.push(format!("{} is {}", written.name, self::words(property))),
             }
         }
         Ok(words)
+    }
+
+    /// Asserts that a term is 0, as a fact says.
+    fn vanishing(&mut self, term: Term, fact: usize) -> Result<(), NoScript> {
+        let (polynomial, multiplier) = self.cleared(Property::Zero, term).ok_or(NoScript::Step)?;
+        let ratio = ratio(&self.proof.facts[fact].0.polynomial, &polynomial);
+        let own = self.printer.factor(&self.proof.statement, term)?;
+        let left = scaled(&ratio, &product(&[&own, &multiplier]));
+        let so = format!("so {} = 0", tex(self.proof.statement.terms(), term));
+        let right = self.reference(fact)?;
+        self.block
+            .code(&format!("assert is_zero({})", difference(&left, &right)), &so);
+        Ok(())
     }
 
     /// The term that a fact says something of, and what the fact has it multiplied by.
@@ -404,6 +597,7 @@ impl Writer<'_> {
         let mut parts = Vec::new();
         for (number, coefficient) in self.proof.combinations[fact].clone() {
             let (name, multiplier) = match self.written.get(&number) {
+                Some(written) if written.name == "0" => continue,
                 Some(written) => (written.name.clone(), written.multiplier.clone()),
                 None => return Err(NoScript::Step),
             };
@@ -431,7 +625,9 @@ impl Writer<'_> {
         let mut parts = Vec::new();
         for (coefficient, fact) in terms {
             let reference = bracketed(&self.reference(*fact)?);
-            parts.push(self.times(coefficient, &reference)?);
+            if reference != "0" {
+                parts.push(self.times(coefficient, &reference)?);
+            }
         }
         Ok(parts)
     }
@@ -520,7 +716,8 @@ impl Writer<'_> {
             }
             _ => return Err(NoScript::Step),
         };
-        self.block.code(&format!("assert is_zero({left} - ({right}))"), &so);
+        self.block
+            .code(&format!("assert is_zero({})", difference(&left, &right)), &so);
         Ok(())
     }
 
@@ -541,6 +738,15 @@ impl Writer<'_> {
     fn conclude(&mut self, goal: &Goal) -> Result<(), NoScript> {
         let so = format!("so {} is {}", goal.name, words(goal.property));
         let Some(fact) = goal.fact else {
+            let given = given_as(&self.proof.statement, goal.property, goal.term);
+            if let Some(given) = given.filter(|_| goal.polynomial.as_constant().is_none()) {
+                let source = lowered(&unmarked(&self.proof.source(&Inference::Given(given))));
+                let printed = self
+                    .premise(given)
+                    .map_or(String::new(), |printed| format!(":  {printed}"));
+                self.block.comment(&format!("{so}, {source}{printed}"));
+                return Ok(());
+            }
             let by_itself = match goal.property {
                 Property::Zero => format!("assert is_zero({})", goal.name),
                 _ if goal.polynomial.is_zero() => format!("assert is_zero({})", goal.name),
@@ -559,7 +765,8 @@ impl Writer<'_> {
         }
         let left = scaled(&ratio(&known.polynomial, &goal.polynomial), &goal.expression);
         let reference = self.reference(fact)?;
-        self.block.code(&format!("assert is_zero({left} - ({reference}))"), &so);
+        self.block
+            .code(&format!("assert is_zero({})", difference(&left, &reference)), &so);
         Ok(())
     }
 }
@@ -590,6 +797,47 @@ fn scaled(factor: &Rational, expression: &str) -> String {
         minus if *minus == -Rational::one() => format!("-{expression}"),
         factor => format!("{}*{expression}", number(factor)),
     }
+}
+
+/// An equation of a map, and its derivative along it.
+fn slope_along(statement: &mut Statement, map: usize, equation: usize, by: Symbol) -> Result<[Term; 2], NoScript> {
+    let step = statement.maps().get(map).cloned().ok_or(NoScript::Step)?;
+    let (_, term) = step.equations.get(equation).ok_or(NoScript::Step)?;
+    Ok([statement.written_out(*term), statement.along(*term, &step, by)])
+}
+
+/// What must hold for an equation of a map to be differentiated along it.
+fn along_conditions(
+    statement: &mut Statement,
+    map: usize,
+    equation: usize,
+    by: Symbol,
+) -> Result<Vec<(Property, Term)>, NoScript> {
+    let [written, slope] = slope_along(statement, map, equation, by)?;
+    let domain = statement.domain(written);
+    let near = statement.holding_near(&domain, &[written], &Statement::moves_along);
+    let slopes = statement.domain(slope);
+    Ok([domain, slopes, near.ok_or(NoScript::Step)?].concat())
+}
+
+/// The difference of expressions that may stand in sums.
+fn difference(left: &str, right: &str) -> String {
+    match right {
+        "0" => left.to_owned(),
+        right if right.contains(' ') || right.starts_with('-') => format!("{left} - ({right})"),
+        right => format!("{left} - {right}"),
+    }
+}
+
+/// The given, of no time or index, that says a property of a term as it stands.
+fn given_as(statement: &Statement, property: Property, term: Term) -> Option<usize> {
+    let implied = |known: Property| match property {
+        Property::Nonzero => matches!(known, Property::Nonzero | Property::Positive),
+        Property::NonNegative => matches!(known, Property::NonNegative | Property::Positive | Property::Zero),
+        _ => known == property,
+    };
+    let mut givens = statement.givens().iter();
+    givens.position(|given| given.law.is_none() && given.term == term && implied(given.property))
 }
 
 /// A product of expressions that may stand in one; those that are empty are 1.

@@ -294,7 +294,7 @@ fn assumption(statement: &Statement, term: Term, property: Property) -> bool {
 /// What SymPy is to assume of a symbol.
 pub fn assumptions(statement: &mut Statement, symbol: Symbol) -> String {
     let term = statement.terms_mut().symbol(symbol);
-    if statement.complex_symbols().contains(&symbol) && statement.is_complex() {
+    if !statement.is_real(term) {
         return "complex=True".to_owned();
     }
     let mut words = Vec::new();
