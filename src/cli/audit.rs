@@ -4,17 +4,15 @@ use super::audit_table::{Audited, Row, Unusable, answer, compare, exit, explaine
 use super::decide::{decide, decide_sheet};
 use super::document::{self, Form};
 use super::mended::{self, Comment};
+use super::proofs::ProofForm;
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
 use super::{Answer, Content, Exit, Failure, Options, Source};
-use crate::claim::{self, Document, Fault, Sheet, Verdict};
+use crate::claim::{self, Document, Fault, Sheet};
 use crate::prove;
 use crate::reference::Outcome;
 use crate::repair::Repair;
-use crate::report::{Baseline, Format, NewDirectory, OutputError};
-use crate::stop::Token;
+use crate::report::{Baseline, Format, NewDirectory};
 use crate::tex::Symbols;
-use rayon::prelude::*;
-use std::path::Path;
 
 /// Decide for each formula whether it follows from its premises
 #[derive(Debug, clap::Args)]
@@ -38,8 +36,8 @@ pub struct Arguments {
     /// Write a copy of the input to FILE, with each first repair as a comment before its formula
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     repair_into: Option<std::path::PathBuf>,
-    /// Write each proof and counterexample into the new directory DIR, as a Python script that checks itself, or with
-    /// `--format json` as data with a checker and a schema
+    /// Write each proof and counterexample into the new directory DIR, as a Python script that checks itself; with
+    /// `--format json` as data with a checker and a schema, with `--format sympy` as a script of at most 40 lines to be read
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
     proof: Option<std::path::PathBuf>,
     /// Do not fail on findings of an earlier run, written by `audit` as sarif, json or csv
@@ -85,6 +83,7 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         });
     }
     arguments.refuse_for_several(global)?;
+    let form = ProofForm::of(global.format, arguments.proof.is_some())?;
     let sheets = arguments.sources()?;
     let symbols = claim::vocabulary().map_err(|fault| in_sheet(PAPER, fault))?;
     let options = prove::Options {
@@ -114,7 +113,7 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         sheets => sheets.iter().map(Some).collect(),
     };
     for source in sources {
-        match arguments.audited(source, &symbols, global) {
+        match arguments.audited(source, &symbols, global, form) {
             Ok(audited) => all.push(audited),
             Err(failure) if goes_on => {
                 super::say("error", &failure.to_string());
@@ -251,6 +250,7 @@ impl Arguments {
         source: Option<&Source>,
         symbols: &Symbols,
         global: &Options,
+        form: ProofForm,
     ) -> Result<(Audited, Option<Document>), Failure> {
         let options = prove::Options { effort: self.effort };
         let mended = global.beside(self.repair_into.as_ref())?;
@@ -263,7 +263,7 @@ impl Arguments {
         let proofs = self.proof.as_deref().map(NewDirectory::create).transpose()?;
         let rows = decide_sheet(&sheet, &name, &options, self.repair || mended.is_some())?;
         if let (Some(new), Some(directory)) = (proofs, &self.proof) {
-            write_proofs(&sheet, &rows, new, directory, &options, global.format)?;
+            form.write(&sheet, &rows, new, directory, &options)?;
         }
         if let Some(mended) = &mended {
             let text = with_repairs(source, &name, &text, &sheet, symbols, &rows)?;
@@ -298,59 +298,6 @@ fn tell_gone(all: &mut [(Audited, Option<Document>)], baseline: &Baseline, sourc
             labels.join(", ")
         ));
     }
-    Ok(())
-}
-
-/// Writes a script, or data where the format is JSON, for each question that decides a row into a new directory.
-fn write_proofs(
-    sheet: &Sheet,
-    rows: &[Row],
-    new: NewDirectory,
-    directory: &Path,
-    options: &prove::Options,
-    format: Format,
-) -> Result<(), Failure> {
-    let is_data = format == Format::Json;
-    let (ending, what, how) = match is_data {
-        true => (
-            "json",
-            "files of proof data",
-            "python3 check.py *.json there checks them",
-        ),
-        false => ("py", "scripts", "run each with Python"),
-    };
-    let is_decided = |row: &&Row| match row.decision.verdict {
-        Verdict::Proved | Verdict::Refuted | Verdict::Conditional => true,
-        Verdict::Undecided | Verdict::Unread | Verdict::Given | Verdict::Suspect => false,
-    };
-    let rows: Vec<usize> = rows.iter().filter(is_decided).map(|row| row.position).collect();
-    let names = prove::file_names(sheet, &rows);
-    let token = Token::current();
-    let write = |(position, name): (&usize, &String)| -> Result<usize, OutputError> {
-        let scripts = token.during(|| match is_data {
-            true => prove::proof_data(sheet, *position, options),
-            false => prove::scripts(sheet, *position, options),
-        });
-        for (number, script) in (1..).zip(&scripts) {
-            let name = match number {
-                1 => format!("{name}.{ending}"),
-                _ => format!("{name}-{number}.{ending}"),
-            };
-            new.write(&name, script.as_bytes())?;
-        }
-        Ok(scripts.len())
-    };
-    let written: Result<Vec<usize>, OutputError> = rows.par_iter().zip(&names).map(write).collect();
-    let count: usize = written?.into_iter().sum();
-    if is_data {
-        new.write("schema.json", prove::SCHEMA.as_bytes())?;
-        new.write("check.py", prove::CHECKER.as_bytes())?;
-    }
-    new.finish()?;
-    super::note(&format!(
-        "{count} {what} in {}: {how}, with SymPy and mpmath",
-        directory.display()
-    ));
     Ok(())
 }
 

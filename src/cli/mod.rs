@@ -34,6 +34,7 @@ mod part;
 mod plot;
 mod problems;
 mod progress;
+mod proofs;
 mod resume;
 mod rows;
 mod run;

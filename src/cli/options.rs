@@ -130,7 +130,7 @@ fn format_parser(formats: &[Format]) -> impl TypedValueParser<Value = Format> + 
 pub(super) fn formats(command: &str) -> Vec<Format> {
     let has = |format: &Format| match format {
         Format::Junit => matches!(command, "audit" | "check"),
-        Format::Sarif => command == "audit",
+        Format::Sarif | Format::Sympy | Format::Rocq => command == "audit",
         Format::Html => matches!(command, "audit" | "check" | "trade" | "score" | "run"),
         _ => true,
     };

@@ -198,7 +198,13 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
             let content = serve(scene, options)?;
             create_directory(directory)?;
             let (format, extension) = match options.format {
-                Format::Text | Format::Csv | Format::Junit | Format::Html | Format::Sarif => (Format::Csv, "csv"),
+                Format::Text
+                | Format::Csv
+                | Format::Junit
+                | Format::Html
+                | Format::Sarif
+                | Format::Sympy
+                | Format::Rocq => (Format::Csv, "csv"),
                 Format::Json => (Format::Json, "json"),
                 Format::Jsonl => (Format::Jsonl, "jsonl"),
                 Format::Markdown => (Format::Markdown, "md"),

@@ -23,11 +23,15 @@ pub enum Format {
     Html,
     /// Findings for CI, with their places in the source.
     Sarif,
+    /// Proofs as short scripts for people, with the rows as text.
+    Sympy,
+    /// Proofs as files for Rocq, with the rows as text.
+    Rocq,
 }
 
 impl Format {
     /// Every format, in the order in which help lists them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Text,
         Self::Csv,
         Self::Json,
@@ -36,6 +40,8 @@ impl Format {
         Self::Junit,
         Self::Html,
         Self::Sarif,
+        Self::Sympy,
+        Self::Rocq,
     ];
 
     /// Whether it prints tables row by row, whatever they hold.
@@ -54,6 +60,8 @@ impl Format {
             Self::Junit => "junit",
             Self::Html => "html",
             Self::Sarif => "sarif",
+            Self::Sympy => "sympy",
+            Self::Rocq => "rocq",
         }
     }
 }
@@ -66,7 +74,7 @@ impl fmt::Display for Format {
 
 /// A name that is no format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown format `{0}`: text, csv, json, jsonl, markdown, junit, html and sarif are known")]
+#[error("unknown format `{0}`: text, csv, json, jsonl, markdown, junit, html, sarif, sympy and rocq are known")]
 pub struct UnknownFormat(pub String);
 
 impl FromStr for Format {

@@ -11,7 +11,7 @@ const HEAD: usize = 1000;
 /// Prints what stands before the rows; `head` decides the layout. A format that needs all rows at once has none.
 fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Write) -> io::Result<Box<dyn Printer>> {
     Ok(match format {
-        Format::Text => Box::new(text::begin(head, digits, to)?),
+        Format::Text | Format::Sympy | Format::Rocq => Box::new(text::begin(head, digits, to)?),
         Format::Csv => Box::new(csv::begin(head, to)?),
         Format::Json => Box::new(json::begin(head, to)?),
         Format::Jsonl => Box::new(json::lines(head)),

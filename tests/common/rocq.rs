@@ -24,7 +24,11 @@ pub fn library() -> Option<&'static PathBuf> {
         for (name, text) in LIBRARY {
             std::fs::write(folder.join(name), text).unwrap();
             let output = Command::new("coqc").arg(name).current_dir(&folder).output().unwrap();
-            assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+            assert!(
+                output.status.success(),
+                "{name}: {}",
+                String::from_utf8_lossy(&output.stderr)
+            );
         }
         Some(folder)
     });
@@ -35,7 +39,11 @@ pub fn library() -> Option<&'static PathBuf> {
 pub fn checked(folder: &PathBuf, texts: &[String], theorems: &[&str]) -> Vec<Option<String>> {
     let mut input = HEAD.to_owned();
     for (number, text) in texts.iter().enumerate() {
-        let is_head = |line: &&str| ["Require", "Open Scope", "Print Assumptions"].iter().any(|word| line.starts_with(word));
+        let is_head = |line: &&str| {
+            ["Require", "Open Scope", "Print Assumptions"]
+                .iter()
+                .any(|word| line.starts_with(word))
+        };
         let body: Vec<&str> = text.lines().filter(|line| !is_head(line)).collect();
         input += &format!("Module M{number}.\n{}\nAbort All.\nEnd M{number}.\n", body.join("\n"));
         for theorem in theorems {
@@ -62,17 +70,32 @@ pub fn checked(folder: &PathBuf, texts: &[String], theorems: &[&str]) -> Vec<Opt
     let faults = String::from_utf8_lossy(&output.stderr);
     (0..texts.len())
         .map(|number| {
-            let from = if number == 0 { 0 } else { said.find(&format!("END {}\n", number - 1)).unwrap_or(said.len()) };
+            let from = if number == 0 {
+                0
+            } else {
+                said.find(&format!("END {}\n", number - 1)).unwrap_or(said.len())
+            };
             let to = said.find(&format!("END {number}\n")).unwrap_or(said.len());
             let own = said.get(from..to).unwrap_or_default();
-            let asked = theorems.iter().filter(|theorem| texts[number].contains(&format!("Theorem {theorem} "))).count();
-            let found = theorems.iter().filter(|theorem| own.contains(&format!("M{number}.{theorem}\n"))).count();
+            let asked = theorems
+                .iter()
+                .filter(|theorem| texts[number].contains(&format!("Theorem {theorem} ")))
+                .count();
+            let found = theorems
+                .iter()
+                .filter(|theorem| own.contains(&format!("M{number}.{theorem}\n")))
+                .count();
             let is_accepted = asked > 0 && found == asked;
             let fault = || {
                 let at = faults.find(&format!("Check M{number}.")).unwrap_or(0);
                 let before = faults.get(..at).unwrap_or_default();
                 let start = before.rfind("Error:").unwrap_or(0);
-                before.get(start..).unwrap_or_default().chars().take(300).collect::<String>()
+                before
+                    .get(start..)
+                    .unwrap_or_default()
+                    .chars()
+                    .take(300)
+                    .collect::<String>()
             };
             (!is_accepted).then(fault)
         })

@@ -43,14 +43,22 @@ fn counted(sheets: &[(String, Sheet)]) -> Option<[Count; 2]> {
             }
         }
     }
-    for ((kind, place), fault) in places.into_iter().zip(checked(folder, &texts, &["holds", "fails", "consistent"])) {
+    for ((kind, place), fault) in places
+        .into_iter()
+        .zip(checked(folder, &texts, &["holds", "fails", "consistent"]))
+    {
         match fault {
             None => counts[kind].accepted += 1,
             Some(fault) => counts[kind].refused.push(format!("{place}\n    {fault}")),
         }
     }
     for (count, kind) in counts.iter().zip(["proved", "refuted"]) {
-        println!("{kind}: {} accepted, {} refused, unwritten: {:?}", count.accepted, count.refused.len(), count.unwritten);
+        println!(
+            "{kind}: {} accepted, {} refused, unwritten: {:?}",
+            count.accepted,
+            count.refused.len(),
+            count.unwritten
+        );
         count.refused.iter().for_each(|refused| println!("refused: {refused}"));
     }
     Some(counts)
@@ -85,32 +93,56 @@ fn stated(row: &AxiomRow) -> String {
             "integer" => premises.push(format!("integer {of}")),
             _ => {
                 let natural = row.letters.iter().find(|letter| {
-                    is_natural(letter) && (guard.ends_with(&format!("= {letter}")) || guard.ends_with(&format!("= -{letter}")))
+                    is_natural(letter)
+                        && (guard.ends_with(&format!("= {letter}")) || guard.ends_with(&format!("= -{letter}")))
                 });
                 premises.push(match natural {
-                    Some(letter) => guard.replace(&format!("-{letter}"), &format!("- INR {letter}")).replace(&format!("= {letter}"), &format!("= INR {letter}")),
+                    Some(letter) => guard
+                        .replace(&format!("-{letter}"), &format!("- INR {letter}"))
+                        .replace(&format!("= {letter}"), &format!("= INR {letter}")),
                     None => term(guard),
                 });
             }
         }
     }
-    let letters = row.letters.iter().map(|letter| format!("({letter} : {})", if is_natural(letter) { "nat" } else { "R" }));
+    let letters = row
+        .letters
+        .iter()
+        .map(|letter| format!("({letter} : {})", if is_natural(letter) { "nat" } else { "R" }));
     let letters = letters.collect::<Vec<_>>().join(" ");
-    let quantified = if letters.is_empty() { String::new() } else { format!("forall {letters}, ") };
-    let premises = premises.iter().map(|premise| format!("{premise} -> ")).collect::<String>();
+    let quantified = if letters.is_empty() {
+        String::new()
+    } else {
+        format!("forall {letters}, ")
+    };
+    let premises = premises
+        .iter()
+        .map(|premise| format!("{premise} -> "))
+        .collect::<String>();
     format!("{quantified}{premises}{}", term(row.conclusion))
 }
 
 /// A formula of the table in Rocq's words.
 fn term(text: &str) -> String {
-    let words = [("!=", "<>"), ("arc", "a"), ("pi", "PI"), ("power(", "rpow2 ("), ("root(", "root2 (")];
-    words.iter().fold(text.to_owned(), |text, (ours, theirs)| text.replace(ours, theirs))
+    let words = [
+        ("!=", "<>"),
+        ("arc", "a"),
+        ("pi", "PI"),
+        ("power(", "rpow2 ("),
+        ("root(", "root2 ("),
+    ];
+    words
+        .iter()
+        .fold(text.to_owned(), |text, (ours, theirs)| text.replace(ours, theirs))
 }
 
 #[test]
 fn each_axiom_of_the_kernel_is_a_lemma() {
     let Some(folder) = library() else { return };
-    let rows: Vec<&AxiomRow> = AxiomRow::all().iter().filter(|row| !row.guards.contains(&"complex")).collect();
+    let rows: Vec<&AxiomRow> = AxiomRow::all()
+        .iter()
+        .filter(|row| !row.guards.contains(&"complex"))
+        .collect();
     let head = "Notation \"'rpow2' ( x , y )\" := (rpow x y).\nNotation \"'root2' ( n , x )\" := (root n x).\n";
     let text = |row: &&AxiomRow| format!("{head}Theorem holds : {}.\nexact {}.\nQed.\n", stated(row), row.name);
     let texts: Vec<String> = rows.iter().map(text).collect();
@@ -130,22 +162,32 @@ fn each_axiom_of_the_kernel_is_a_lemma() {
 #[test]
 fn most_of_the_handbook_is_accepted_and_nothing_is_refused() {
     let sheets = handbook::sheets(|id| sample::takes(id, 8));
-    let Some([proved, refuted]) = counted(&sheets) else { return };
+    let Some([proved, refuted]) = counted(&sheets) else {
+        return;
+    };
     assert_eq!((proved.refused, refuted.refused), (Vec::new(), Vec::new()));
 }
 
 #[test]
 fn most_of_the_attacks_are_accepted_and_nothing_is_refused() {
-    let attacks = attacks::all().into_iter().filter(|attack| sample::takes(&attack.path(), 16));
-    let sheets: Vec<_> = attacks.filter_map(|attack| Some((attack.path(), attack.read().ok()?))).collect();
-    let Some([proved, refuted]) = counted(&sheets) else { return };
+    let attacks = attacks::all()
+        .into_iter()
+        .filter(|attack| sample::takes(&attack.path(), 16));
+    let sheets: Vec<_> = attacks
+        .filter_map(|attack| Some((attack.path(), attack.read().ok()?)))
+        .collect();
+    let Some([proved, refuted]) = counted(&sheets) else {
+        return;
+    };
     assert_eq!((proved.refused, refuted.refused), (Vec::new(), Vec::new()));
 }
 
 #[test]
 fn the_equations_of_the_paper_are_theorems() {
     let sheet = Sheet::read(EQUATIONS, &vocabulary().unwrap()).unwrap();
-    let Some([proved, _]) = counted(&[("paper".to_owned(), sheet)]) else { return };
+    let Some([proved, _]) = counted(&[("paper".to_owned(), sheet)]) else {
+        return;
+    };
     assert_eq!(proved.refused, Vec::<String>::new());
 }
 
@@ -158,14 +200,22 @@ fn a_changed_theorem_is_refused() {
         let Some(position) = sheet.find("c") else { continue };
         for one in decided(sheet, position, &Options::default()).iter().take(1) {
             let Ok(text) = rocq::file(one) else { continue };
-            let Some((before, claim)) = text.split_once("  (* claim: ") else { continue };
-            let Some((comment, rest)) = claim.split_once("*)\n  ") else { continue };
+            let Some((before, claim)) = text.split_once("  (* claim: ") else {
+                continue;
+            };
+            let Some((comment, rest)) = claim.split_once("*)\n  ") else {
+                continue;
+            };
             // the claim with 1 more on its right side, or that a side is more by 1
-            let Some((claim, proof)) = rest.split_once(".\nProof.") else { continue };
+            let Some((claim, proof)) = rest.split_once(".\nProof.") else {
+                continue;
+            };
             if !text.contains("Theorem holds") || !claim.contains(" = ") {
                 continue;
             }
-            texts.push(format!("{before}  (* claim: {comment}*)\n  {claim} + 1.\nProof.{proof}"));
+            texts.push(format!(
+                "{before}  (* claim: {comment}*)\n  {claim} + 1.\nProof.{proof}"
+            ));
             whole.push(text.clone());
         }
     }

@@ -1,7 +1,7 @@
 //! Axioms: the rows of `axioms.txt`, each with its guards, and their instances.
 
 use super::expand::Refusal;
-use super::statement::Property;
+use super::statement::{Property, Statement};
 use super::term::{Elementary, Node, Term, Terms};
 use numbers::{Field, Rational};
 use std::sync::LazyLock;
@@ -77,6 +77,31 @@ impl Axiom {
         let mut read = |text: &'static str| Reader::new(text, terms, &letters).guard();
         let guards = row.guards.iter().map(|guard| read(guard)).collect::<Result<_, _>>()?;
         Ok((guards, read(row.conclusion)?))
+    }
+}
+
+impl Axiom {
+    /// What must be known of terms for an instance, and the property and the term that it concludes.
+    ///
+    /// # Errors
+    /// A [`Refusal`] where there is no such axiom of as many letters.
+    pub fn conditions(&self, statement: &mut Statement) -> Result<(Vec<(Property, Term)>, (Property, Term)), Refusal> {
+        let (guards, conclusion) = self.instance(&mut statement.terms)?;
+        let mut conditions = Vec::new();
+        for guard in guards {
+            match guard {
+                Guard::Holds(property, term) => {
+                    conditions.extend(statement.domain(term));
+                    conditions.push((property, term));
+                }
+                Guard::Defined(term) => conditions.extend(statement.domain(term)),
+                Guard::Real(_) | Guard::Written(..) | Guard::Over(_) => {}
+            }
+        }
+        match conclusion {
+            Guard::Holds(property, term) => Ok((conditions, (property, term))),
+            _ => Err(Refusal::Other("an axiom concludes a property".into())),
+        }
     }
 }
 

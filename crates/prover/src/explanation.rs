@@ -38,6 +38,11 @@ pub fn formula(tex: impl fmt::Display) -> String {
     format!("{before}{shown}{behind}{words}")
 }
 
+/// A line without the marks of [`formula`].
+pub(super) fn unmarked(line: &str) -> String {
+    line.replace(FORMULA, "")
+}
+
 /// Where a polynomial is cut off.
 const CUT: &str = " + ... (";
 
@@ -69,9 +74,7 @@ impl Explanation {
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.lines
-            .iter()
-            .try_for_each(|line| writeln!(f, "{}", line.replace(FORMULA, "")))
+        self.lines.iter().try_for_each(|line| writeln!(f, "{}", unmarked(line)))
     }
 }
 
@@ -147,16 +150,16 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
 }
 
 /// The facts of a certificate as the kernel's checker finds them, each with the step that adds it.
-struct Proof {
-    statement: Statement,
-    facts: Vec<(Fact, Inference)>,
-    laws: Vec<Inference>,
+pub(super) struct Proof {
+    pub(super) statement: Statement,
+    pub(super) facts: Vec<(Fact, Inference)>,
+    pub(super) laws: Vec<Inference>,
     /// Each fact as a linear combination of those that are no linear combinations.
-    combinations: Vec<BTreeMap<usize, Polynomial>>,
+    pub(super) combinations: Vec<BTreeMap<usize, Polynomial>>,
     /// For each goal, its numerator and the fact that shows it.
-    goals: Vec<(Property, Polynomial, Option<usize>)>,
+    pub(super) goals: Vec<(Property, Polynomial, Option<usize>)>,
     /// The numbers that the facts have as steps for readers.
-    numbers: BTreeMap<usize, usize>,
+    pub(super) numbers: BTreeMap<usize, usize>,
 }
 
 /// A fact that is inserted into what is to be shown.
@@ -171,7 +174,7 @@ struct Insertion {
 }
 
 impl Proof {
-    fn replayed(certificate: &With<Certificate>) -> Self {
+    pub(super) fn replayed(certificate: &With<Certificate>) -> Self {
         let mut statement = certificate.statement.clone();
         let goal = statement.goal().to_vec();
         let mut checker = Checker::new(&mut statement, &certificate.evidence, u64::MAX);
@@ -217,7 +220,7 @@ impl Proof {
     }
 
     /// The facts that a step rests on and names, through linear combinations.
-    fn below(&self, step: &Inference) -> BTreeSet<usize> {
+    pub(super) fn below(&self, step: &Inference) -> BTreeSet<usize> {
         let mut below = BTreeSet::new();
         named(step, &mut |fact| {
             below.extend(self.combinations.get(fact).into_iter().flat_map(BTreeMap::keys))
@@ -389,7 +392,7 @@ impl Proof {
         }
     }
 
-    fn law(&self, source: LawSource) -> String {
+    pub(super) fn law(&self, source: LawSource) -> String {
         match source {
             LawSource::Given { given, shift: 0 } => self.given(given),
             LawSource::Given { given, shift } => format!("{}, impacts moved on by {shift}", self.given(given)),
@@ -407,7 +410,7 @@ impl Proof {
     }
 
     /// Where a fact comes from.
-    fn source(&mut self, step: &Inference) -> String {
+    pub(super) fn source(&mut self, step: &Inference) -> String {
         let print = |term| formula(tex(self.statement.terms(), term));
         let below = self.below(step);
         let facts: Vec<String> = below.iter().map(|fact| self.number(*fact).to_string()).collect();
@@ -490,7 +493,7 @@ fn sum_of(terms: &[(Polynomial, usize)], of: &[BTreeMap<usize, Polynomial>]) -> 
 }
 
 /// The facts that a step names.
-fn named(step: &Inference, take: &mut dyn FnMut(usize)) {
+pub(super) fn named(step: &Inference, take: &mut dyn FnMut(usize)) {
     match step {
         Inference::Zero { factors, terms, .. }
         | Inference::Nonzero { factors, terms, .. }

@@ -37,6 +37,9 @@ mod point;
 mod powers;
 mod print;
 mod proof;
+mod referee;
+mod referee_point;
+mod referee_proof;
 pub mod rocq;
 mod roots;
 mod script;
@@ -44,6 +47,7 @@ mod session;
 mod signs;
 mod small_numbers;
 pub mod summation;
+mod sympy;
 mod values;
 mod words;
 
@@ -54,6 +58,7 @@ use outcome::{Outcome, outcome};
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted, settle_second_values};
 pub use explanation::{Explanation, explain, formula};
+pub use referee::{LONGEST, NoScript, short_scripts};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{

@@ -355,7 +355,7 @@ pub fn sealed(lines: &str) -> String {
     format!("{lines}if __name__ == \"__main__\": main(DATA, READINGS, __file__, GUARD, \"{sum}\")\n")
 }
 
-fn one_line(text: &str) -> String {
+pub(super) fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 

@@ -5,6 +5,8 @@ mod steps;
 mod text;
 
 use super::script::{Decided, Found};
+use super::{Options, decided};
+use claims::Sheet;
 use kernel::{
     At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Statement, Symbol, Term, With, Witness,
 };
@@ -22,6 +24,27 @@ pub const LIBRARY: [(&str, &str); 3] = [
     ("VibroOperations.v", include_str!("VibroOperations.v")),
     ("VibroRules.v", include_str!("VibroRules.v")),
 ];
+
+/// The program that checks all files of a directory.
+pub const CHECK: &str = include_str!("check.sh");
+
+/// The files about the claim at a position, one for each question that decides it, and why others are not written.
+pub fn files(sheet: &Sheet, position: usize, options: &Options) -> (Vec<String>, BTreeSet<Unwritten>) {
+    let (mut files, mut missing) = (Vec::new(), BTreeSet::new());
+    let decided = decided(sheet, position, options);
+    if decided.is_empty() {
+        missing.insert(Unwritten::Not("letters that need not commute"));
+    }
+    for one in &decided {
+        match file(one) {
+            Ok(text) => files.push(text),
+            Err(unwritten) => {
+                missing.insert(unwritten);
+            }
+        }
+    }
+    (files, missing)
+}
 
 /// A text within a comment of Rocq, which may hold neither its signs nor a lone quotation mark.
 fn comment(text: &str) -> String {
@@ -312,7 +335,7 @@ impl Theorem {
         }
         text += &named;
         text += &script;
-        text += "Qed.\n";
+        text += "Qed.\n\nPrint Assumptions holds.\n";
         Ok(text + &self.consistent(steps, point))
     }
 }
@@ -368,7 +391,7 @@ impl Theorem {
         for _ in &self.hypotheses {
             text += "meet X.\n";
         }
-        text += "fails X.\nQed.\n";
+        text += "fails X.\nQed.\n\nPrint Assumptions fails.\n";
         Ok(text)
     }
 }
@@ -499,9 +522,4 @@ fn quantifiers(steps: &Steps) -> String {
         let _ = writeln!(text, "  forall {} : R -> R,", functions.join(" "));
     }
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
 }

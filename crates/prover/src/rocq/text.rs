@@ -9,12 +9,18 @@ use std::collections::{BTreeMap, BTreeSet};
 const LONGEST: usize = 200_000;
 
 /// Why something is not written for Rocq.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
 pub enum Unwritten {
     #[error("{0}")]
     Not(&'static str),
     #[error("{0}")]
-    Refused(#[from] kernel::Refusal),
+    Refused(String),
+}
+
+impl From<kernel::Refusal> for Unwritten {
+    fn from(refusal: kernel::Refusal) -> Self {
+        Self::Refused(refusal.to_string())
+    }
 }
 
 /// Names that Rocq or its libraries have taken.
