@@ -211,8 +211,11 @@ Ltac roots_as_letters :=
       | context [sqrt _] => fail
       | _ =>
         let H := fresh "R" in
+        let K := fresh "R" in
+        assert (K : sqrt a > 0 \/ sqrt a >= 0) by
+          first [left; apply sqrt_lt_R0; first [lra | apply Rgt_lt; enclose] | right; apply Rle_ge; apply sqrt_pos];
         assert (H : sqrt a ^ 2 = a) by (apply root_squared; first [lra | apply Rlt_le; enclose]);
-        revert H; generalize (sqrt a); intros ? H
+        revert H K; generalize (sqrt a); intros ? H [K | K]
       end
     end.
 

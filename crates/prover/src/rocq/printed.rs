@@ -81,7 +81,6 @@ impl<'a> Printer<'a> {
                 format!("({})", parts.join(" * "))
             }
             Tree::Quotient(above, below, _) => format!("({} / {})", of(above)?, of(below)?),
-            Tree::Power(base, exponent @ 0.., _) => format!("({} ^ {exponent})", of(base)?),
             Tree::Power(base, exponent, _) => raised(&of(base)?, *exponent),
             Tree::RealPower(base, exponent, _) => match base.as_ref() {
                 Tree::Symbol(name, _) if self.is_euler(name) => format!("(exp {})", of(exponent)?),
