@@ -144,7 +144,7 @@ impl Theorem {
                 None => own.given(number, given, None, &[], steps)?,
             }
         }
-        own.claim = printer.claim(decided, steps)?;
+        own.claim = printer.claim(steps)?;
         Ok(own)
     }
 
