@@ -615,6 +615,26 @@ impl Statement {
         self.terms.add(Node::Value(function, order, at))
     }
 
+    /// The state that a motion's derivative of an order is at the beginning of its flight, or at the end of it, with the
+    /// time of it; nothing where it has no name.
+    pub fn end_of(&self, function: Function, order: u32, begins: bool) -> Option<(Symbol, Symbol)> {
+        let FunctionOf::Flight { state, impact } = self.functions.get(function.0 as usize)? else {
+            return None;
+        };
+        let named = (0..order).fold(state.clone(), |name, _| name.dotted());
+        if !self.states.contains(&named) {
+            return None;
+        }
+        let index = if begins { *impact } else { impact + 1 };
+        let quantity = Quantity::State {
+            after: begins && !self.continuous.contains(&named),
+            state: named,
+            index,
+        };
+        let place = self.quantities.iter().position(|known| *known == quantity)?;
+        Some((Symbol(u32::try_from(place).ok()?), *self.times.get(&index)?))
+    }
+
     /// What must hold for a term to have a value: no divisor is 0, roots and logarithms are of what they are defined for.
     pub fn domain(&mut self, term: Term) -> Vec<(Property, Term)> {
         let mut conditions = Vec::new();

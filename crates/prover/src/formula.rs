@@ -14,15 +14,44 @@ pub struct Formulas<'a> {
     question: &'a Question,
 }
 
+/// What a name means within a formula.
+pub enum Meaning {
+    /// A symbol of the data, by its name there.
+    Symbol(String),
+    /// A value of an unknown function or of a motion.
+    Unknown(Unknown),
+    /// A number that has a name, where nothing else has it.
+    Number(String),
+}
+
+/// A derivative of an unknown function, or of a motion in the flight after an impact.
+pub struct Unknown {
+    pub of: Name,
+    pub flight: Option<i32>,
+    pub order: u32,
+}
+
+impl Unknown {
+    fn python(&self, at: &str) -> String {
+        let flight = self.flight.map_or("None".to_owned(), |flight| flight.to_string());
+        format!(
+            "v.unknown({}, {flight}, {}, {at})",
+            quoted(&self.of.to_string()),
+            self.order
+        )
+    }
+}
+
 /// What names mean within one formula.
-struct Within<'a> {
+#[derive(Clone, Copy)]
+pub struct Within<'a> {
     symbols: &'a Symbols,
     locals: &'a [Local],
     /// The impact whose flight the running time is in, and whether the formula speaks of a flight.
     flight: i32,
     in_flight: bool,
     /// Whether `\pm` is plus.
-    upper: bool,
+    pub upper: bool,
 }
 
 impl<'a> Formulas<'a> {
@@ -36,13 +65,6 @@ impl<'a> Formulas<'a> {
 
     /// The formulas as Python data: label (of the claim: none), definitions beside it, and what it says of its values.
     pub fn python(&self) -> String {
-        let first = self
-            .statements
-            .claims
-            .iter()
-            .map(|claim| self.symbols.impacts(claim).first().copied())
-            .min()
-            .flatten();
         let mut formulas = Vec::new();
         let mut push = |label: &str, within: &Within, formula: String| {
             let definitions = within.locals.iter().rev().map(|local| {
@@ -65,11 +87,7 @@ impl<'a> Formulas<'a> {
             }
         }
         let claim = &self.question.equation;
-        let own = Within {
-            flight: first.unwrap_or(0),
-            in_flight: false,
-            ..self.within(claim, &self.statements.locals, None)
-        };
+        let own = self.of_condition();
         for condition in &self.statements.assume {
             push("the assumptions", &own, own.condition(condition));
         }
@@ -96,7 +114,7 @@ impl<'a> Formulas<'a> {
             None => {
                 let within = Within {
                     upper: self.question.instance != "lower sign",
-                    ..self.within(claim, &self.statements.locals, first)
+                    ..self.of_claim(claim)
                 };
                 push("", &within, within.relation(claim));
             }
@@ -117,7 +135,7 @@ impl<'a> Formulas<'a> {
                 for upper in [true, false] {
                     let within = Within {
                         upper,
-                        ..self.within(other, &self.statements.locals, first)
+                        ..self.of_claim(other)
                     };
                     push("beside the claim", &within, within.python(side));
                 }
@@ -144,7 +162,27 @@ impl<'a> Formulas<'a> {
         )
     }
 
-    fn within<'b>(&'b self, equation: &Equation, locals: &'b [Local], first: Option<i32>) -> Within<'b> {
+    /// The first impact that the claims speak of.
+    fn first(&self) -> Option<i32> {
+        let impacts = |claim| self.symbols.impacts(claim).first().copied();
+        self.statements.claims.iter().map(impacts).min().flatten()
+    }
+
+    /// The formula of the claim, or another one beside it.
+    pub fn of_claim(&self, equation: &Equation) -> Within<'_> {
+        self.within(equation, &self.statements.locals, self.first())
+    }
+
+    /// A condition that is assumed.
+    pub fn of_condition(&self) -> Within<'_> {
+        Within {
+            flight: self.first().unwrap_or(0),
+            in_flight: false,
+            ..self.within(&self.question.equation, &self.statements.locals, None)
+        }
+    }
+
+    pub fn within<'b>(&'b self, equation: &Equation, locals: &'b [Local], first: Option<i32>) -> Within<'b> {
         Within {
             symbols: self.symbols,
             locals,
@@ -285,40 +323,53 @@ impl Within<'_> {
         }
     }
 
-    fn is_declared(&self, name: &Name) -> bool {
+    pub fn is_declared(&self, name: &Name) -> bool {
         self.locals.iter().any(|local| local.name == *name)
             || self.symbols.is_parameter(name)
             || self.symbols.abbreviation(name).is_some()
     }
 
     fn name(&self, name: &Name) -> String {
-        let value = |printed: String| format!("v({})", quoted(&printed));
-        let symbols = self.symbols;
-        if self.is_declared(name) || symbols.is_index(name) {
-            return value(name.to_string());
-        }
-        if let Some(printed) = self.moving(name) {
-            return value(printed);
-        }
-        let running = symbols.running().map_or("t".to_string(), Name::to_string);
-        if symbols.running() == Some(name) {
-            return value(running);
-        }
-        if name.mark.is_empty()
-            && let Some(unknown) = self.unknown(name, &value(running.clone()))
-        {
-            return unknown;
-        }
-        match name.to_string().as_str() {
-            "\\pi" => "mpmath.pi".into(),
-            "e" => "mpmath.e".into(),
-            "i" => "mpmath.mpc(0, 1)".into(),
-            other => value(other.to_string()),
+        let value = |printed: &str| format!("v({})", quoted(printed));
+        match self.meaning(name) {
+            Meaning::Symbol(printed) => value(&printed),
+            Meaning::Unknown(unknown) => unknown.python(&value(&self.running())),
+            Meaning::Number(printed) => match printed.as_str() {
+                "\\pi" => "mpmath.pi".into(),
+                "e" => "mpmath.e".into(),
+                "i" => "mpmath.mpc(0, 1)".into(),
+                other => value(other),
+            },
         }
     }
 
+    /// The name of the running time.
+    pub fn running(&self) -> String {
+        self.symbols.running().map_or("t".to_string(), Name::to_string)
+    }
+
+    /// What a name means without an argument: functions are taken at the running time.
+    pub fn meaning(&self, name: &Name) -> Meaning {
+        let symbols = self.symbols;
+        if self.is_declared(name) || symbols.is_index(name) {
+            return Meaning::Symbol(name.to_string());
+        }
+        if let Some(printed) = self.moving(name) {
+            return Meaning::Symbol(printed);
+        }
+        if symbols.running() == Some(name) {
+            return Meaning::Symbol(self.running());
+        }
+        if name.mark.is_empty()
+            && let Some(unknown) = self.unknown(name)
+        {
+            return Meaning::Unknown(unknown);
+        }
+        Meaning::Number(name.to_string())
+    }
+
     /// The name of an impact's time, or of a state just before or just after it, in the form in which data have it.
-    fn moving(&self, name: &Name) -> Option<String> {
+    pub fn moving(&self, name: &Name) -> Option<String> {
         let letter = &self.symbols.index;
         let index = match name.subscript.is_empty() && !name.mark.is_empty() {
             true => 0,
@@ -334,8 +385,8 @@ impl Within<'_> {
         Some(indexed(bare, index, after, letter))
     }
 
-    /// The value of a function, or of a motion, at a time.
-    fn unknown(&self, name: &Name, at: &str) -> Option<String> {
+    /// What function, or motion, a name is of.
+    fn unknown(&self, name: &Name) -> Option<Unknown> {
         let plain = Name {
             primes: 0,
             mark: String::new(),
@@ -346,18 +397,26 @@ impl Within<'_> {
             let mut dotted = state.clone();
             for more in 0..3 {
                 if dotted == plain {
-                    let (root, dots) = undotted(state);
-                    let (root, order) = (quoted(&root.to_string()), dots + more + primes);
-                    return Some(format!("v.unknown({root}, {}, {order}, {at})", self.flight));
+                    let (of, dots) = undotted(state);
+                    return Some(Unknown {
+                        of,
+                        flight: Some(self.flight),
+                        order: dots + more + primes,
+                    });
                 }
                 dotted = dotted.dotted();
             }
         }
         let is_function = self.symbols.functions().any(|(function, _)| *function == plain);
-        is_function.then(|| format!("v.unknown({}, None, {primes}, {at})", quoted(&plain.to_string())))
+        is_function.then_some(Unknown {
+            of: plain,
+            flight: None,
+            order: primes,
+        })
     }
 
-    fn call(&self, name: &Name, argument: &Tree) -> String {
+    /// What a name means with an argument, where it is no elementary function.
+    pub fn called(&self, name: &Name, argument: &Tree) -> Option<Meaning> {
         if let Tree::Symbol(time, _) = argument
             && self.symbols.is_time(&time.bare())
             && let Some(index) = index_of(&time.subscript, &self.symbols.index)
@@ -365,12 +424,17 @@ impl Within<'_> {
         {
             let departs = name.mark == "+" || (name.mark.is_empty() && self.in_flight && self.flight == index);
             let after = departs && !self.symbols.is_continuous(&name.bare());
-            let printed = indexed(name.bare(), index, after, &self.symbols.index);
-            return format!("v({})", quoted(&printed));
+            return Some(Meaning::Symbol(indexed(name.bare(), index, after, &self.symbols.index)));
         }
+        self.unknown(name).map(Meaning::Unknown)
+    }
+
+    fn call(&self, name: &Name, argument: &Tree) -> String {
         let at = self.python(argument);
-        if let Some(unknown) = self.unknown(name, &at) {
-            return unknown;
+        match self.called(name, argument) {
+            Some(Meaning::Symbol(printed)) => return format!("v({})", quoted(&printed)),
+            Some(Meaning::Unknown(unknown)) => return unknown.python(&at),
+            _ => {}
         }
         let function = match name.base.as_str() {
             r"\arsinh" | r"\arcosh" | r"\artanh" => {

@@ -181,8 +181,127 @@ Ltac differentiate_smooth :=
   end;
   differentiate.
 
+(* A function with the derivative 0 is constant: on a line, and in a flight. *)
+Lemma derivative_is (f : R -> R) (x s : R) : is_derive f x s -> s = 0 -> is_derive f x 0.
+Proof. intros D <-. exact D. Qed.
+
+Lemma constant_between (f : R -> R) (a b : R) : a <= b -> (forall t : R, a <= t <= b -> is_derive f t 0) -> f a = f b.
+Proof. intros [L | <-] D; [apply (eq_is_derive f a b D L) | reflexivity]. Qed.
+
+Lemma constant_in_flight (f : R -> R) (a b : R) : (forall t : R, a <= t <= b -> is_derive f t 0) ->
+  forall t s : R, a <= t <= b -> a <= s <= b -> f t - f s = 0.
+Proof.
+  intros D t s T S. apply Rminus_diag_eq. destruct (Rle_dec t s) as [L | L].
+  - apply constant_between; [exact L | intros u U; apply D; lra].
+  - symmetry. apply constant_between; [lra | intros u U; apply D; lra].
+Qed.
+
+Lemma constant_everywhere (f : R -> R) : (forall t : R, is_derive f t 0) -> forall t s : R, f t - f s = 0.
+Proof.
+  intros D t s. apply (constant_in_flight f (Rmin t s) (Rmax t s)); [intros u _; apply D | |];
+    (split; [apply Rmin_l || apply Rmin_r | apply Rmax_l || apply Rmax_r]).
+Qed.
+
+(* What is 0 near a point, perhaps on one side of it, has the slope 0 there. *)
+Lemma slope_of_zeros (f : R -> R) (x l : R) : f x = 0 ->
+  (forall d : R, 0 < d -> exists u : R, u <> x /\ Rabs (u - x) < d /\ f u = 0) -> is_derive f x l -> l = 0.
+Proof.
+  intros Z A D. apply is_derive_Reals in D.
+  destruct (Req_dec l 0) as [E | E]; [exact E | exfalso].
+  destruct (D (Rabs l) (Rabs_pos_lt l E)) as [d H].
+  destruct (A d (cond_pos d)) as (u & U & N & F).
+  assert (K : u - x <> 0) by lra.
+  specialize (H (u - x) K N). replace (x + (u - x)) with u in H by ring.
+  rewrite F, Z in H. replace ((0 - 0) / (u - x) - l) with (- l) in H by (field; exact K).
+  rewrite Rabs_Ropp in H. lra.
+Qed.
+
+Lemma slope_of_zero_near (f : R -> R) (x l : R) : locally x (fun u => f u = 0) -> is_derive f x l -> l = 0.
+Proof.
+  intros N. apply slope_of_zeros; [exact (locally_singleton _ _ N) |].
+  intros d P. destruct N as [e N]. exists (x + Rmin (e / 2) (d / 2)).
+  assert (E := cond_pos e). assert (M : 0 < Rmin (e / 2) (d / 2)) by (apply Rmin_pos; lra).
+  assert (L := Rmin_l (e / 2) (d / 2)). assert (L' := Rmin_r (e / 2) (d / 2)).
+  assert (V : Rabs (x + Rmin (e / 2) (d / 2) - x) = Rmin (e / 2) (d / 2))
+    by (replace (x + Rmin (e / 2) (d / 2) - x) with (Rmin (e / 2) (d / 2)) by ring; apply Rabs_pos_eq; lra).
+  split; [lra | split; [rewrite V; lra |]].
+  apply N. change (Rabs (x + Rmin (e / 2) (d / 2) - x) < e). rewrite V. lra.
+Qed.
+
+Lemma slope_nearby (f : R -> R) (P : R -> Prop) (x l : R) : (forall u : R, P u -> f u = 0) -> locally x P -> is_derive f x l -> l = 0.
+Proof. intros Z N. apply slope_of_zero_near. exact (filter_imp _ _ Z N). Qed.
+
+Lemma slope_in_flight (f : R -> R) (P : R -> Prop) (a b x l : R) : a < b ->
+  (forall u : R, a <= u <= b -> P u -> f u = 0) -> a <= x <= b -> locally x P -> is_derive f x l -> l = 0.
+Proof.
+  intros O Z I N. apply slope_of_zeros; [apply Z; [exact I | exact (locally_singleton _ _ N)] |].
+  intros d H. destruct N as [e N]. assert (E := cond_pos e).
+  set (h := Rmin (Rmin (e / 2) (d / 2)) ((b - a) / 2)).
+  assert (M : 0 < h) by (repeat apply Rmin_pos; lra).
+  assert (L : h <= (b - a) / 2) by apply Rmin_r.
+  assert (L' : h <= Rmin (e / 2) (d / 2)) by apply Rmin_l.
+  assert (L1 := Rmin_l (e / 2) (d / 2)). assert (L2 := Rmin_r (e / 2) (d / 2)).
+  destruct (Rle_dec x ((a + b) / 2)) as [C | C].
+  - exists (x + h). assert (V : Rabs (x + h - x) = h) by (replace (x + h - x) with h by ring; apply Rabs_pos_eq; lra).
+    split; [lra | split; [rewrite V; lra |]]. apply Z; [lra |].
+    apply N. change (Rabs (x + h - x) < e). rewrite V. lra.
+  - exists (x - h). assert (V : Rabs (x - h - x) = h) by (replace (x - h - x) with (- h) by ring; rewrite Rabs_Ropp; apply Rabs_pos_eq; lra).
+    split; [lra | split; [rewrite V; lra |]]. apply Z; [lra |].
+    apply N. change (Rabs (x - h - x) < e). rewrite V. lra.
+Qed.
+
+(* Conditions that hold nearby. *)
+Lemma positive_nearby (f : R -> R) (x : R) : ex_derive f x -> f x > 0 -> locally x (fun u => f u > 0).
+Proof.
+  intros D P. apply (ex_derive_continuous f x D (fun y => y > 0)). exact (open_gt 0 (f x) P).
+Qed.
+
+Lemma nonzero_nearby (f : R -> R) (x : R) : ex_derive f x -> f x <> 0 -> locally x (fun u => f u <> 0).
+Proof.
+  intros D P. apply (ex_derive_continuous f x D (fun y => y <> 0)). exact (open_neq 0 (f x) P).
+Qed.
+
+Lemma nonnegative_nearby (f : R -> R) (x : R) : ex_derive f x -> f x >= 0 -> f x <> 0 -> locally x (fun u => f u >= 0).
+Proof.
+  intros D P N. apply (filter_imp (fun u => f u > 0)); [intros u U; lra |]. apply positive_nearby; [exact D | lra].
+Qed.
+
+Ltac is_known := cbv beta; first [assumption | lra].
+
+Ltac near_one :=
+  lazymatch goal with
+  | |- locally _ (fun _ => True) => apply filter_forall; intro; exact Logic.I
+  | |- locally _ (fun _ => ?P) => apply filter_forall; intro; assumption
+  | |- locally ?x (fun u => @?f u > 0) => apply (positive_nearby f x); [eexists; differentiate_smooth | is_known]
+  | |- locally ?x (fun u => @?f u <> 0) => apply (nonzero_nearby f x); [eexists; differentiate_smooth | is_known]
+  | |- locally ?x (fun u => @?f u >= 0) => apply (nonnegative_nearby f x); [eexists; differentiate_smooth | is_known | is_known]
+  end.
+
+Ltac near_by :=
+  lazymatch goal with
+  | |- locally ?x (fun u => @?A u /\ @?B u) => apply (filter_and (F := locally x) A B); [near_one | near_by]
+  | _ => near_one
+  end.
+
+(* A time of a flight: one of its ends, or one that runs over it. *)
+Ltac within_flight :=
+  first [assumption | split; first [apply Rle_refl | assumption | apply Rlt_le; assumption | lra]].
+
+(* What holds wherever a map starts near a point. *)
+Definition near_1 (P : R -> Prop) (a : R) : Prop := exists e : R, 0 < e /\ forall x : R, Rabs (x - a) < e -> P x.
+
+Definition near_2 (P : R -> R -> Prop) (a b : R) : Prop :=
+  exists e : R, 0 < e /\ forall x y : R, Rabs (x - a) < e -> Rabs (y - b) < e -> P x y.
+
+Definition near_3 (P : R -> R -> R -> Prop) (a b c : R) : Prop :=
+  exists e : R, 0 < e /\ forall x y z : R, Rabs (x - a) < e -> Rabs (y - b) < e -> Rabs (z - c) < e -> P x y z.
+
+Lemma near_itself (x e : R) : 0 < e -> Rabs (x - x) < e.
+Proof. intro P. rewrite Rminus_diag_eq by reflexivity. rewrite Rabs_R0. exact P. Qed.
+
 (* The printed claim from the goal that steps have shown. *)
 Ltac conclude W :=
+  cbv zeta;
   first
     [ exact W
     | exact (Rminus_diag_uniq _ _ W)
@@ -193,6 +312,7 @@ Ltac conclude W :=
         | exact (Rminus_not_eq _ _ W)
         | lra
         | let Z := fresh in intro Z; apply W; lra
+        | destruct (Rmult_integral _ _ W); [left | right]; lra
         | apply Rminus_diag_uniq; rewrite <- W; same_fraction ] ].
 
 (* Values at a point: functions at arguments where they have well-known values. *)
@@ -212,10 +332,11 @@ Ltac roots_as_letters :=
       | _ =>
         let H := fresh "R" in
         let K := fresh "R" in
-        assert (K : sqrt a > 0 \/ sqrt a >= 0) by
-          first [left; apply sqrt_lt_R0; first [lra | apply Rgt_lt; enclose] | right; apply Rle_ge; apply sqrt_pos];
+        first
+          [ assert (K : sqrt a > 0) by (apply sqrt_lt_R0; first [lra | apply Rgt_lt; enclose])
+          | assert (K : sqrt a >= 0) by (apply Rle_ge; apply sqrt_pos) ];
         assert (H : sqrt a ^ 2 = a) by (apply root_squared; first [lra | apply Rlt_le; enclose]);
-        revert H K; generalize (sqrt a); intros ? H [K | K]
+        revert H K; generalize (sqrt a); intros ? H K
       end
     end.
 

@@ -8,12 +8,12 @@ use super::script::{Decided, Found};
 use super::{Options, decided};
 use claims::Sheet;
 use kernel::{
-    At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Statement, Symbol, Term, With, Witness,
+    At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness,
 };
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use steps::{Ground, Steps};
+use steps::{Before, Ground, Steps};
 pub use text::Unwritten;
 use text::property;
 
@@ -60,9 +60,6 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
     if decided.question.statement.is_complex() {
         return Err(Unwritten::Not("complex numbers"));
     }
-    if !decided.question.statement.maps().is_empty() {
-        return Err(Unwritten::Not("maps from one impact to the next"));
-    }
     let body = match &decided.found {
         Found::Proved { certificate, point } => {
             let mut own = certificate.statement.clone();
@@ -70,6 +67,16 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
             Theorem::of(decided, &mut steps)?.proved(decided, &mut steps, &certificate.evidence.steps, point)?
         }
         Found::Refuted { witness } => {
+            let statement = &decided.question.statement;
+            if !statement.maps().is_empty() {
+                return Err(Unwritten::Not(
+                    "a counterexample with a map from one impact to the next",
+                ));
+            }
+            let mut laws = statement.givens().iter().filter_map(|given| given.law.as_ref());
+            if laws.any(|law| law.every_impact || law.flight.is_some()) {
+                return Err(Unwritten::Not("a counterexample to a law of flight or over indices"));
+            }
             let mut own = witness.statement.clone();
             let mut steps = Steps::new(&mut own, &Certificate::default());
             Theorem::of(decided, &mut steps)?.refuted(&mut steps, witness)?
@@ -120,6 +127,8 @@ struct Theorem {
     claim_comment: String,
     /// Assertions that lead from the hypotheses to what is given.
     bridges: Vec<String>,
+    /// The functions that maps are, each with how many quantities the map starts from.
+    maps: Vec<(String, usize)>,
 }
 
 impl Theorem {
@@ -130,6 +139,7 @@ impl Theorem {
             claim: String::new(),
             claim_comment: comment(&decided.question.equation.to_string()),
             bridges: Vec::new(),
+            maps: Vec::new(),
         };
         let printer = Printer::new(decided);
         let definitions: Vec<_> = steps.statement().definitions().iter().map(|(s, t)| (*s, *t)).collect();
@@ -146,14 +156,8 @@ impl Theorem {
             own.push(name, says, comment(&printed::condition_text(condition)));
         }
         let givens = decided.question.statement.givens().to_vec();
-        let mut told = BTreeSet::new();
         for (number, given) in givens.iter().enumerate() {
-            let premise = match &given.origin {
-                Origin::Premise(label) => statements.premises.iter().find(|premise| premise.label == *label),
-                _ => None,
-            };
-            let is_first = told.insert(given.origin.clone());
-            match premise.filter(|_| is_first) {
+            match premise_of(decided, number) {
                 Some(premise) => {
                     let says = printer.premise(premise, steps)?;
                     let why = format!(
@@ -167,7 +171,7 @@ impl Theorem {
                 None => own.given(number, given, None, &[], steps)?,
             }
         }
-        own.claim = printer.claim(decided, steps)?;
+        own.claim = printer.claim(steps)?;
         Ok(own)
     }
 
@@ -183,6 +187,8 @@ impl Theorem {
         let words: BTreeSet<&str> = all.flat_map(|text| text.split(|c| !is_within(c))).collect();
         steps.names.keep(&words);
         self.smooth(steps);
+        let statement = steps.statement().clone();
+        self.flights(&statement, steps);
     }
 
     /// Takes in that unknown functions have the derivatives that are spoken of.
@@ -225,7 +231,10 @@ impl Theorem {
         steps: &mut Steps,
     ) -> Result<(), Unwritten> {
         let name = format!("G{number}");
-        let (before, says) = self.law(number, given, steps)?;
+        let (before, says) = match given.law {
+            Some(_) => steps.law_said(number, 0)?,
+            None => (Before::default(), property(given.property, &steps.full(given.term)?)),
+        };
         if !assumed.is_empty() {
             let ways: Vec<String> = assumed.iter().map(|way| format!("as_printed {way}")).collect();
             self.bridges
@@ -240,11 +249,9 @@ impl Theorem {
         self.bridges.push(match before.conditions.is_empty() && before.time.is_none() {
             true => format!("assert ({name} : {says}) by as_printed {hypothesis}."),
             false => {
-                let names: Vec<String> = (0..before.conditions.len()).map(|n| format!("C{n}")).collect();
-                let time = before.time.as_ref().map_or("", |_| "T0");
-                let names = names.join(" ");
+                let names = before.names();
                 format!(
-                    "assert ({name} : {}) by (intros {time} {names}; pose proof ({hypothesis} {time} {names}) as C; as_printed C).",
+                    "assert ({name} : {}) by (intros {names}; pose proof ({hypothesis} {names}) as C; as_printed C).",
                     before.all(&says)
                 )
             }
@@ -254,25 +261,133 @@ impl Theorem {
         Ok(())
     }
 
-    /// What stands before a given that is a law, and what it says.
-    fn law(&mut self, number: usize, given: &Given, steps: &mut Steps) -> Result<(Before, String), Unwritten> {
-        let mut before = Before::default();
-        let Some(law) = &given.law else {
-            let says = property(given.property, &steps.full(given.term)?);
-            return Ok((before, says));
-        };
-        let Some(time) = law.time.filter(|_| law.flight.is_none() && !law.every_impact) else {
-            return Err(Unwritten::Not("a law of flight or over indices"));
-        };
-        let at = steps.statement().terms_mut().symbol(time);
-        let instance = steps.statement().instance(number, Some(at), 0, None);
-        let instance = instance.ok_or(Unwritten::Not("a law that does not extend to its own time"))?;
-        before.time = Some(steps.full(at)?);
-        for (shown, of) in instance.conditions {
-            before.conditions.push(property(shown, &steps.full(of)?));
+    /// Takes in what maps are: functions near a point, with derivatives there, that their equations hold for.
+    fn maps(&mut self, decided: &Decided, grounds: &BTreeSet<Ground>, steps: &mut Steps) -> Result<(), Unwritten> {
+        let statement = steps.statement().clone();
+        let printer = Printer::new(decided);
+        for (number, map) in statement.maps().iter().enumerate() {
+            let partials = statement
+                .quantities()
+                .iter()
+                .enumerate()
+                .filter_map(|(place, quantity)| match quantity {
+                    Quantity::Partial { of, by } if map.of.contains(of) && map.by.contains(by) => {
+                        Some((Symbol(u32::try_from(place).ok()?), *of, *by))
+                    }
+                    _ => None,
+                });
+            let partials: Vec<_> = partials.filter(|(symbol, ..)| steps.names.has(*symbol)).collect();
+            let is_used = |equation| grounds.contains(&Ground::Near(number, equation));
+            if map.equations.is_empty() || (partials.is_empty() && !(0..map.equations.len()).any(is_used)) {
+                continue;
+            }
+            if map.by.len() > 3 {
+                return Err(Unwritten::Not("a map that starts from more than three quantities"));
+            }
+            let named = |steps: &mut Steps, symbol: Symbol| steps.names.symbol(&statement, symbol);
+            let starts: Vec<String> = map.by.iter().map(|&by| named(steps, by)).collect();
+            let starts = starts.join(" ");
+            let mut images = String::new();
+            for &of in &map.of {
+                let (name, image) = (named(steps, of), steps.image(of));
+                images += &format!("let {name} := {image} {starts} in ");
+                self.push(
+                    format!("V_{image}"),
+                    format!("{name} = {image} {starts}"),
+                    format!(
+                        "{} follows from what the map starts from",
+                        comment(statement.terms().symbol_name(of))
+                    ),
+                );
+                self.maps.push((image, map.by.len()));
+            }
+            for (symbol, of, by) in partials {
+                let (image, by, name) = (steps.image(of), named(steps, by), named(steps, symbol));
+                self.push(
+                    format!("S{}", self.hypotheses.len()),
+                    format!("is_derive (fun {by} : R => {image} {starts}) {by} {name}"),
+                    comment(statement.terms().symbol_name(symbol)),
+                );
+            }
+            for (place, (origin, term)) in map.equations.iter().enumerate() {
+                let mut givens = statement.givens().iter();
+                let given = givens.position(|given| given.origin == *origin && given.term == *term);
+                let premise = given.and_then(|given| premise_of(decided, given));
+                let (says, why) = match premise {
+                    Some(premise) => {
+                        let says = printer.premise(premise, steps)?;
+                        (says, format!("({}) {}", premise.label, premise.equation))
+                    }
+                    None => (property(Property::Zero, &steps.full(*term)?), origin.to_string()),
+                };
+                let says = format!("{images}{}", abbreviated(&says, steps)?);
+                self.push(
+                    format!("N{number}_{place}"),
+                    format!("near_{} (fun {starts} : R => {says}) {starts}", map.by.len()),
+                    format!("wherever the map starts near that: {}", comment(&why)),
+                );
+            }
         }
-        let says = property(instance.property, &steps.full(instance.term)?);
-        Ok((before, says))
+        Ok(())
+    }
+
+    /// Takes in how flights begin and end, and that times follow one another.
+    fn flights(&mut self, statement: &Statement, steps: &mut Steps) {
+        let mut own = Vec::new();
+        for &flight in &steps.flights {
+            let end = |index: i32| statement.times().get(&index).filter(|time| steps.names.has(**time));
+            if let (Some(&from), Some(&to)) = (end(flight), end(flight + 1)) {
+                own.push((flight, from, to));
+            }
+        }
+        let times = own.into_iter().map(|(flight, from, to)| {
+            let [from, to] = [from, to].map(|time| steps.names.symbol(statement, time));
+            (flight, from, to)
+        });
+        let times: Vec<_> = times.collect();
+        let running = statement
+            .quantities()
+            .iter()
+            .position(|quantity| *quantity == Quantity::Running);
+        let running = running.and_then(|place| Some(Symbol(u32::try_from(place).ok()?)));
+        for (flight, from, to) in times {
+            let name = format!("O{}", steps::place(flight));
+            self.push(name, format!("{from} < {to}"), "the impacts follow one another".into());
+            if let Some(running) = running.filter(|own| statement.flight() == Some(flight) && steps.names.has(*own)) {
+                let time = steps.names.symbol(statement, running);
+                let says = format!("{from} <= {time} <= {to}");
+                self.push(
+                    format!("I{}", steps::place(flight)),
+                    says,
+                    "a time of the flight".into(),
+                );
+            }
+        }
+        let functions: Vec<_> = steps
+            .names
+            .functions()
+            .map(|(key, name)| (*key, name.clone()))
+            .collect();
+        for ((function, order), name) in functions {
+            for (begins, mark) in [(true, 'a'), (false, 'b')] {
+                let end = statement.end_of(Function(function), order, begins);
+                if let Some((state, time)) =
+                    end.filter(|(state, time)| steps.names.has(*state) && steps.names.has(*time))
+                {
+                    let [state, time] = [state, time].map(|symbol| steps.names.symbol(statement, symbol));
+                    let why = if begins {
+                        "how the flight begins"
+                    } else {
+                        "how the flight ends"
+                    };
+                    self.push(
+                        format!("E{function}_{order}{mark}"),
+                        format!("{name} {time} = {state}"),
+                        why.into(),
+                    );
+                }
+            }
+        }
     }
 
     /// The theorem with its proof.
@@ -296,6 +411,7 @@ impl Theorem {
             Ok(end)
         })?;
         let mut named = BTreeSet::new();
+        let used = grounds.clone();
         for ground in grounds {
             match ground {
                 Ground::Named(term) => {
@@ -305,9 +421,20 @@ impl Theorem {
                     let says = property(Property::Nonzero, &steps.full(term)?);
                     self.push(format!("H{}", term.0), says, "for generic values".into());
                 }
-                Ground::Fact(_) | Ground::Law(_) | Ground::Given(_) | Ground::Definition(_) => {}
+                Ground::Shifted(given, shift) => {
+                    let (before, says) = steps.law_said(given, shift)?;
+                    let origin = steps
+                        .statement()
+                        .givens()
+                        .get(given)
+                        .map(|given| given.origin.to_string());
+                    let why = format!("{}, {shift:+} impacts on", comment(&origin.unwrap_or_default()));
+                    self.push(steps::given_name(given, shift), before.all(&says), why);
+                }
+                Ground::Fact(_) | Ground::Law(_) | Ground::Given(_) | Ground::Definition(_) | Ground::Near(..) => {}
             }
         }
+        self.maps(decided, &used, steps)?;
         // what is given has the names of the steps
         let mut changes = String::new();
         for (number, given) in decided.question.statement.givens().iter().enumerate() {
@@ -321,7 +448,10 @@ impl Theorem {
         self.of_names_in(&[&script, &named], steps);
         let mut text = format!("Theorem holds :\n{}.\nProof.\n", self.stated(steps));
         let names: Vec<&str> = self.hypotheses.iter().map(|own| own.name.as_str()).collect();
-        for introduced in [variables(steps), names.iter().map(|&name| name.to_owned()).collect()] {
+        for introduced in [
+            self.variables(steps),
+            names.iter().map(|&name| name.to_owned()).collect(),
+        ] {
             if !introduced.is_empty() {
                 let _ = writeln!(text, "intros {}.", introduced.join(" "));
             }
@@ -344,6 +474,9 @@ impl Theorem {
     /// The proposition.
     fn stated(&self, steps: &Steps) -> String {
         let mut text = quantifiers(steps);
+        for (name, starts) in &self.maps {
+            let _ = writeln!(text, "  forall {name} : {}R,", "R -> ".repeat(*starts));
+        }
         for hypothesis in &self.hypotheses {
             let _ = writeln!(text, "  (* {} *)\n  ({}) ->", hypothesis.comment, hypothesis.says);
         }
@@ -484,31 +617,54 @@ fn closed(statement: &Statement, term: Term) -> Result<String, Unwritten> {
     writer.term(term)
 }
 
-/// What stands before a law: the time over which it runs, and its conditions.
-#[derive(Default)]
-struct Before {
-    time: Option<String>,
-    conditions: Vec<String>,
-}
-
-impl Before {
-    fn all(&self, says: &str) -> String {
-        let mut text = String::new();
-        if let Some(time) = &self.time {
-            let _ = write!(text, "forall {time} : R, ");
-        }
-        for condition in &self.conditions {
-            let _ = write!(text, "{condition} -> ");
-        }
-        text + says
+/// The premise that a given says, of those with its label that in its place.
+fn premise_of(decided: &Decided, number: usize) -> Option<&claims::Premise> {
+    let givens = decided.question.statement.givens();
+    let origin = &givens.get(number)?.origin;
+    let Origin::Premise(label) = origin else { return None };
+    let premises = &decided.goal.statements.premises;
+    let own: Vec<&claims::Premise> = premises.iter().filter(|premise| premise.label == *label).collect();
+    let all: Vec<usize> = (0..givens.len())
+        .filter(|&n| givens.get(n).is_some_and(|given| given.origin == *origin))
+        .collect();
+    match own.len() == all.len() {
+        true => own.get(all.iter().position(|&n| n == number)?).copied(),
+        false => own.first().copied().filter(|_| all.first() == Some(&number)),
     }
 }
 
-fn variables(steps: &Steps) -> Vec<String> {
-    let symbols = steps.names.symbols().map(|(_, name)| name.clone());
-    symbols
-        .chain(steps.names.functions().map(|(_, name)| name.clone()))
-        .collect()
+/// A proposition about quantities that move, in which abbreviations are said anew.
+fn abbreviated(says: &str, steps: &mut Steps) -> Result<String, Unwritten> {
+    let definitions: Vec<_> = steps.statement().definitions().iter().map(|(s, t)| (*s, *t)).collect();
+    let mut lets: Vec<(String, String)> = Vec::new();
+    let mut text = says.to_owned();
+    let is_within = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    for _ in 0..=definitions.len() {
+        for &(symbol, meaning) in &definitions {
+            let term = steps.statement().terms_mut().symbol(symbol);
+            let name = steps.full(term)?;
+            if text.split(|c| !is_within(c)).any(|word| word == name) {
+                let meaning = steps.full(meaning)?;
+                text += &format!(" {meaning}");
+                lets.retain(|(known, _)| *known != name);
+                lets.push((name, meaning));
+            }
+        }
+    }
+    let lets = lets
+        .iter()
+        .rev()
+        .map(|(name, meaning)| format!("let {name} := {meaning} in "));
+    Ok(lets.collect::<String>() + says)
+}
+
+impl Theorem {
+    fn variables(&self, steps: &Steps) -> Vec<String> {
+        let symbols = steps.names.symbols().map(|(_, name)| name.clone());
+        let functions = steps.names.functions().map(|(_, name)| name.clone());
+        let maps = self.maps.iter().map(|(name, _)| name.clone());
+        symbols.chain(functions).chain(maps).collect()
+    }
 }
 
 fn quantifiers(steps: &Steps) -> String {

@@ -2,13 +2,23 @@
 
 use super::steps::Steps;
 use super::text::{Unwritten, number};
+use crate::formula::{Formulas, Meaning, Unknown, Within};
 use crate::script::Decided;
 use claims::Premise;
-use kernel::Symbol;
-use texmath::{Condition, Elementary, Equation, Name, Relation, Tree, pair_of};
+use kernel::{Function, FunctionOf, Quantity, Symbol};
+use texmath::{Condition, Elementary, Equation, Invariant, Map, Name, Relation, Tree, pair_of};
 
 /// The writer of the formulas of one question.
 pub struct Printer<'a> {
+    decided: &'a Decided,
+    formulas: Formulas<'a>,
+}
+
+/// A formula that is written: what its names mean, and which sign `\pm` is.
+#[derive(Clone, Copy)]
+struct Reading<'a> {
+    within: Within<'a>,
+    upper: Option<bool>,
     decided: &'a Decided,
 }
 
@@ -16,38 +26,82 @@ type Text = Result<String, Unwritten>;
 
 impl<'a> Printer<'a> {
     pub fn new(decided: &'a Decided) -> Self {
-        Self { decided }
+        Self {
+            decided,
+            formulas: Formulas::new(&decided.goal.statements, &decided.goal.symbols, &decided.question),
+        }
+    }
+
+    fn reading<'b>(&'b self, within: Within<'b>) -> Reading<'b> {
+        Reading {
+            within,
+            upper: None,
+            decided: self.decided,
+        }
     }
 
     pub fn premise(&self, premise: &Premise, steps: &mut Steps) -> Text {
-        self.relation(&premise.equation, None, steps)
+        let within = self.formulas.within(&premise.equation, &premise.locals, None);
+        self.reading(within).relation(&premise.equation, steps)
     }
 
     pub fn condition(&self, condition: &Condition, steps: &mut Steps) -> Text {
+        let reading = self.reading(self.formulas.of_condition());
         match condition {
-            Condition::Relation(equation) => self.relation(equation, None, steps),
-            Condition::Integer(tree) => Ok(format!("integer {}", self.tree(tree, None, steps)?)),
+            Condition::Relation(equation) => reading.relation(equation, steps),
+            Condition::Integer(tree) => Ok(format!("integer {}", reading.tree(tree, steps)?)),
         }
     }
 
-    pub fn claim(&self, decided: &Decided, steps: &mut Steps) -> Text {
-        let question = &decided.question;
-        if matches!(&question.equation.left, Tree::Symbol(name, _) if pair_of(name).is_some()) {
-            return Err(Unwritten::Not("a pair of solutions"));
-        }
-        let upper = match question.instance.as_str() {
-            "lower sign" => Some(false),
-            "upper sign" => Some(true),
-            _ => None,
+    pub fn claim(&self, steps: &mut Steps) -> Text {
+        let question = &self.decided.question;
+        let claim = &question.equation;
+        let reading = self.reading(self.formulas.of_claim(claim));
+        let with = |upper: bool| Reading {
+            upper: Some(upper),
+            ..reading
         };
-        self.relation(&question.equation, upper, steps)
+        if let Tree::Symbol(name, at) = &claim.left
+            && let Some(single) = pair_of(name)
+        {
+            let values = [true, false].map(|upper| with(upper).tree(&claim.right, steps));
+            let [upper, lower] = values;
+            let (upper, lower) = (upper?, lower?);
+            let symbol = reading.tree(&Tree::Symbol(single.clone(), *at), steps)?;
+            return match question.instance.as_str() {
+                "every solution" => Ok(format!("{symbol} = {upper} \\/ {symbol} = {lower}")),
+                "the upper value is a solution" => self.solves(&symbol, &upper, steps),
+                "the lower value is a solution" => self.solves(&symbol, &lower, steps),
+                _ => Err(Unwritten::Not("a pair of solutions")),
+            };
+        }
+        match question.instance.as_str() {
+            "lower sign" => with(false).relation(claim, steps),
+            "upper sign" => with(true).relation(claim, steps),
+            _ => reading.relation(claim, steps),
+        }
     }
 
-    fn relation(&self, equation: &Equation, upper: Option<bool>, steps: &mut Steps) -> Text {
-        let (left, right) = (
-            self.tree(&equation.left, upper, steps)?,
-            self.tree(&equation.right, upper, steps)?,
-        );
+    /// What determines a symbol, said of a value of it.
+    fn solves(&self, symbol: &str, value: &str, steps: &mut Steps) -> Text {
+        let mut all = Vec::new();
+        for premise in &self.decided.goal.statements.premises {
+            let says = self.premise(premise, steps)?;
+            let is_within = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+            if says.split(|c| !is_within(c)).any(|word| word == symbol) {
+                all.push(says);
+            }
+        }
+        match all.as_slice() {
+            [says] => Ok(format!("let {symbol} := {value} in {says}")),
+            _ => Err(Unwritten::Not("a pair of solutions of several equations")),
+        }
+    }
+}
+
+impl Reading<'_> {
+    fn relation(&self, equation: &Equation, steps: &mut Steps) -> Text {
+        let (left, right) = (self.tree(&equation.left, steps)?, self.tree(&equation.right, steps)?);
         let sign = match equation.relation {
             Relation::Equal => "=",
             Relation::NotEqual => "<>",
@@ -59,8 +113,8 @@ impl<'a> Printer<'a> {
         Ok(format!("{left} {sign} {right}"))
     }
 
-    fn tree(&self, tree: &Tree, upper: Option<bool>, steps: &mut Steps) -> Text {
-        let mut of = |tree: &Tree| self.tree(tree, upper, steps);
+    fn tree(&self, tree: &Tree, steps: &mut Steps) -> Text {
+        let mut of = |tree: &Tree| self.tree(tree, steps);
         Ok(match tree {
             Tree::Number(value) => number(value),
             Tree::Symbol(name, _) => return self.name(name, steps),
@@ -83,7 +137,9 @@ impl<'a> Printer<'a> {
             Tree::Quotient(above, below, _) => format!("({} / {})", of(above)?, of(below)?),
             Tree::Power(base, exponent, _) => raised(&of(base)?, *exponent),
             Tree::RealPower(base, exponent, _) => match base.as_ref() {
-                Tree::Symbol(name, _) if self.is_euler(name) => format!("(exp {})", of(exponent)?),
+                Tree::Symbol(name, _) if name.to_string() == "e" && !self.within.is_declared(name) => {
+                    format!("(exp {})", of(exponent)?)
+                }
                 base => {
                     let base = of(base)?;
                     match rational(exponent) {
@@ -97,48 +153,109 @@ impl<'a> Printer<'a> {
             Tree::Root(radicand, 2, _) => format!("(sqrt {})", of(radicand)?),
             Tree::Root(radicand, index, _) => format!("(root {index} {})", of(radicand)?),
             Tree::PlusMinus(body) | Tree::MinusPlus(body) => {
-                let is_plus = matches!(tree, Tree::PlusMinus(_)) == upper.ok_or(Unwritten::Not("a sign of two"))?;
+                let is_plus =
+                    matches!(tree, Tree::PlusMinus(_)) == self.upper.ok_or(Unwritten::Not("a sign of two"))?;
                 let body = of(body)?;
                 if is_plus { body } else { format!("(- {body})") }
             }
-            Tree::Call(name, argument, _) => return self.call(name, argument, upper, steps),
-            Tree::Partial { .. } | Tree::Invariant { .. } => {
-                return Err(Unwritten::Not("maps from one impact to the next"));
-            }
+            Tree::Call(name, argument, _) => return self.call(name, argument, steps),
+            Tree::Partial { of, by, .. } => return self.partial(of, by, steps),
+            Tree::Invariant { kind, of, .. } => return self.invariant(*kind, of, steps),
             Tree::Operation(..) => return Err(Unwritten::Not("a sum, an integral, a limit or the like")),
         })
     }
 
-    /// Whether a name is the base of the natural logarithm.
-    fn is_euler(&self, name: &Name) -> bool {
-        let statements = &self.decided.goal.statements;
-        let symbols = &self.decided.goal.symbols;
-        let is_declared = statements.locals.iter().any(|local| local.name == *name)
-            || symbols.is_parameter(name)
-            || symbols.abbreviation(name).is_some();
-        name.to_string() == "e" && !is_declared
-    }
-
     fn name(&self, name: &Name, steps: &mut Steps) -> Text {
-        let printed = name.to_string();
-        let known = {
-            let terms = steps.statement().terms();
-            let all = (0..u32::try_from(terms.symbols()).unwrap_or(0)).map(Symbol);
-            all.into_iter().find(|symbol| terms.symbol_name(*symbol) == printed)
-        };
-        if let Some(symbol) = known {
-            let term = steps.statement().terms_mut().symbol(symbol);
-            return steps.full(term);
-        }
-        match printed.as_str() {
-            "\\pi" => Ok("PI".into()),
-            "e" => Ok("(exp 1)".into()),
-            _ => Err(Unwritten::Not("a name that is no symbol of its own")),
+        match self.within.meaning(name) {
+            Meaning::Symbol(printed) => symbol(&printed, steps),
+            Meaning::Unknown(unknown) => {
+                let at = symbol(&self.within.running(), steps)?;
+                value(&unknown, &at, steps)
+            }
+            Meaning::Number(printed) => match (symbol(&printed, steps), printed.as_str()) {
+                (Err(NO_SYMBOL), "\\pi") => Ok("PI".into()),
+                (Err(NO_SYMBOL), "e") => Ok("(exp 1)".into()),
+                (known, _) => known,
+            },
         }
     }
 
-    fn call(&self, name: &Name, argument: &Tree, upper: Option<bool>, steps: &mut Steps) -> Text {
-        let at = self.tree(argument, upper, steps)?;
+    /// A derivative along a map, which has a name of its own.
+    fn partial(&self, of: &Name, by: &Name, steps: &mut Steps) -> Text {
+        let mut found = Vec::new();
+        for name in [of, by] {
+            let printed = self.within.moving(name).ok_or(NO_SYMBOL)?;
+            found.push(symbol_of(&printed, steps)?);
+        }
+        match found.as_slice() {
+            &[of, by] => entry(of, by, steps),
+            _ => Err(NO_SYMBOL),
+        }
+    }
+
+    /// The trace or the determinant of a matrix of derivatives, written out.
+    fn invariant(&self, kind: Invariant, of: &Name, steps: &mut Steps) -> Text {
+        let word = if kind == Invariant::Trace { "Tr" } else { "Det" };
+        if let Ok(known) = symbol(&format!("{word}({of})"), steps) {
+            return Ok(known);
+        }
+        let matrix = self.matrix(of, steps)?;
+        if matrix.iter().any(|row| row.len() != matrix.len()) {
+            return Err(Unwritten::Not("a matrix without equal numbers of rows and columns"));
+        }
+        Ok(match kind {
+            Invariant::Trace => {
+                let diagonal = matrix.iter().enumerate().filter_map(|(n, row)| row.get(n).cloned());
+                format!("({})", diagonal.collect::<Vec<_>>().join(" + "))
+            }
+            Invariant::Determinant => determinant(&matrix),
+        })
+    }
+
+    fn matrix(&self, name: &Name, steps: &mut Steps) -> Result<Vec<Vec<String>>, Unwritten> {
+        let maps = steps.statement().maps().iter();
+        let map = maps.clone().find(|map| map.name == name.to_string()).cloned();
+        if let Some(map) = map {
+            let row = |of: &Symbol| map.by.iter().map(|by| entry(*of, *by, steps)).collect();
+            return map.of.iter().map(row).collect();
+        }
+        let maps = self.decided.goal.symbols.maps();
+        let map = maps.into_iter().find_map(|(known, map)| (known == name).then_some(map));
+        let Some(Map::Product(factors)) = map else {
+            return Err(Unwritten::Not("a map that says outright what comes next"));
+        };
+        let mut product: Option<Vec<Vec<String>>> = None;
+        for factor in factors {
+            let next = self.matrix(factor, steps)?;
+            product = Some(match product {
+                None => next,
+                Some(before) => {
+                    let columns = next.first().map_or(0, Vec::len);
+                    let entry = |row: &Vec<String>, column: usize| {
+                        let parts = row
+                            .iter()
+                            .zip(&next)
+                            .filter_map(|(a, below)| Some(format!("{a} * {}", below.get(column)?)));
+                        format!("({})", parts.collect::<Vec<_>>().join(" + "))
+                    };
+                    let row = |row: &Vec<String>| (0..columns).map(|column| entry(row, column)).collect();
+                    before.iter().map(row).collect()
+                }
+            });
+        }
+        product.ok_or(NO_SYMBOL)
+    }
+
+    fn call(&self, name: &Name, argument: &Tree, steps: &mut Steps) -> Text {
+        match self.within.called(name, argument) {
+            Some(Meaning::Symbol(printed)) => return symbol(&printed, steps),
+            Some(Meaning::Unknown(unknown)) => {
+                let at = self.tree(argument, steps)?;
+                return value(&unknown, &at, steps);
+            }
+            _ => {}
+        }
+        let at = self.tree(argument, steps)?;
         let function = match name.base.as_str() {
             r"\abs" => "Rabs",
             r"\sin" => "sin",
@@ -154,24 +271,9 @@ impl<'a> Printer<'a> {
             r"\tanh" => "tanh",
             _ => {
                 if let Some(definition) = Elementary::named(name).and_then(|function| function.definition(argument)) {
-                    return self.tree(&definition, upper, steps);
+                    return self.tree(&definition, steps);
                 }
-                let printed = name.to_string();
-                let plain = printed.trim_end_matches('\'');
-                let mut order = u32::try_from(printed.len() - plain.len()).unwrap_or(0);
-                let function = {
-                    let terms = steps.statement().terms();
-                    let mut all = (0..u32::try_from(terms.functions()).unwrap_or(0)).map(kernel::Function);
-                    all.find(|function| terms.function_name(*function) == plain)
-                };
-                let mut function = function.ok_or(Unwritten::Not("a function that is no function of its own"))?;
-                // a derivative that has a name of its own
-                while let Some(&next) = steps.statement().derivatives().get(&function).filter(|_| order > 0) {
-                    (function, order) = (next, order - 1);
-                }
-                let statement = steps.statement().clone();
-                let name = steps.names.function(&statement, function, order);
-                return Ok(format!("({name} {at})"));
+                return Err(Unwritten::Not("a function that is no function of its own"));
             }
         };
         Ok(format!("({function} {at})"))
@@ -185,6 +287,90 @@ fn raised(base: &str, exponent: i32) -> String {
         size => format!("({base} ^ {size})"),
     };
     if exponent < 0 { format!("(1 / {power})") } else { power }
+}
+
+const NO_SYMBOL: Unwritten = Unwritten::Not("a name that is no symbol of its own");
+
+/// The symbol of a printed name.
+fn symbol_of(printed: &str, steps: &mut Steps) -> Result<Symbol, Unwritten> {
+    let statement = steps.statement();
+    let all = (0..u32::try_from(statement.terms().symbols()).unwrap_or(0)).map(Symbol);
+    let mut named = all.filter(|symbol| {
+        let is_own = !matches!(statement.quantity(*symbol), Some(Quantity::Fresh(_)));
+        is_own && statement.terms().symbol_name(*symbol) == printed
+    });
+    match (named.next(), named.next()) {
+        (Some(symbol), None) => Ok(symbol),
+        (None, _) => Err(NO_SYMBOL),
+        _ => Err(Unwritten::Not("a name of two symbols")),
+    }
+}
+
+fn symbol(printed: &str, steps: &mut Steps) -> Text {
+    let symbol = symbol_of(printed, steps)?;
+    let term = steps.statement().terms_mut().symbol(symbol);
+    steps.full(term)
+}
+
+/// The value of an unknown function, under the name that is declared for its derivative.
+fn value(unknown: &Unknown, at: &str, steps: &mut Steps) -> Text {
+    let of = match unknown.flight {
+        None => FunctionOf::Line(unknown.of.clone()),
+        Some(impact) => FunctionOf::Flight {
+            state: unknown.of.clone(),
+            impact,
+        },
+    };
+    let statement = steps.statement().clone();
+    let place = statement.functions().iter().position(|known| *known == of);
+    let place = place.ok_or(Unwritten::Not("a function that is no function of its own"))?;
+    let mut function = Function(u32::try_from(place).unwrap_or(u32::MAX));
+    let mut order = unknown.order;
+    while order > 0
+        && let Some(next) = statement.derivatives().get(&function)
+    {
+        (function, order) = (*next, order - 1);
+    }
+    let name = steps.names.function(&statement, function, order);
+    Ok(format!("({name} {at})"))
+}
+
+/// An entry of a matrix of derivatives.
+fn entry(of: Symbol, by: Symbol, steps: &mut Steps) -> Text {
+    let quantity = Quantity::Partial { of, by };
+    let statement = steps.statement();
+    let place = statement.quantities().iter().position(|known| *known == quantity);
+    let place = place.ok_or(Unwritten::Not(
+        "a derivative along a map that says outright what comes next",
+    ))?;
+    let symbol = Symbol(u32::try_from(place).unwrap_or(u32::MAX));
+    let term = statement.terms_mut().symbol(symbol);
+    steps.full(term)
+}
+
+/// The determinant of a square matrix, by its first row.
+fn determinant(matrix: &[Vec<String>]) -> String {
+    let Some((first, rest)) = matrix.split_first() else {
+        return "1".to_owned();
+    };
+    if rest.is_empty() {
+        return first.concat();
+    }
+    let mut text = String::from("(");
+    for (column, entry) in first.iter().enumerate() {
+        let without = |row: &Vec<String>| {
+            let kept = row.iter().enumerate().filter(|(n, _)| *n != column);
+            kept.map(|(_, entry)| entry.clone()).collect()
+        };
+        let minor: Vec<Vec<String>> = rest.iter().map(without).collect();
+        text += match column {
+            0 => "",
+            n if n % 2 == 1 => " - ",
+            _ => " + ",
+        };
+        text += &format!("{entry} * {}", determinant(&minor));
+    }
+    text + ")"
 }
 
 /// The exponent m/n of a power, where it is written with numbers alone.

@@ -2,8 +2,8 @@
 
 use super::text::{Names, Unwritten, Writer, number, property};
 use kernel::{
-    Axiom, AxiomRow, Certificate, Checker, EFFORT, Guard, Inference, LawSource, Node, Polynomial, Property, Quotient,
-    Statement, Summand, Symbol, Term, vanishes,
+    Axiom, AxiomRow, Certificate, Checker, EFFORT, FunctionOf, Guard, Inference, Instance, LawSource, Node, Polynomial,
+    Property, Quotient, Statement, Summand, Symbol, Term, vanishes,
 };
 use num_traits::{One, Zero};
 use numbers::Rational;
@@ -16,6 +16,10 @@ pub enum Ground {
     Fact(usize),
     Law(usize),
     Given(usize),
+    /// A given law with its impacts moved on.
+    Shifted(usize, i32),
+    /// An equation of a map that holds near the point: the map and the equation.
+    Near(usize, usize),
     /// An abbreviation of the statement, by its symbol.
     Definition(u32),
     /// A term that has a name.
@@ -40,8 +44,58 @@ pub struct Steps<'a> {
     pub names: Names,
     whole: BTreeSet<Term>,
     on: Grounds,
-    /// The times over which derived laws run.
-    times: BTreeMap<usize, Symbol>,
+    /// The times over which derived laws run, and their flights.
+    times: BTreeMap<usize, (Symbol, Option<i32>)>,
+    /// The flights that are spoken of.
+    pub flights: BTreeSet<i32>,
+    /// How many times have been bound.
+    bound: usize,
+}
+
+/// What stands before a law: the time over which it runs, the flight that it is in, and its conditions.
+#[derive(Default)]
+pub struct Before {
+    pub time: Option<String>,
+    pub flight: Option<String>,
+    pub conditions: Vec<String>,
+}
+
+impl Before {
+    pub fn all(&self, says: &str) -> String {
+        let mut text = String::new();
+        if let Some(time) = &self.time {
+            let _ = write!(text, "forall {time} : R, ");
+        }
+        for condition in self.flight.iter().chain(&self.conditions) {
+            let _ = write!(text, "{condition} -> ");
+        }
+        text + says
+    }
+
+    /// Names for all of it, as they are introduced.
+    pub fn names(&self) -> String {
+        let time = self.time.as_ref().map(|_| "T0".to_owned());
+        let flight = self.flight.as_ref().map(|_| "I0".to_owned());
+        let conditions = (0..self.conditions.len()).map(|n| format!("C{n}"));
+        let all: Vec<String> = time.into_iter().chain(flight).chain(conditions).collect();
+        all.join(" ")
+    }
+}
+
+/// The name of an index, as names have it.
+pub fn place(index: i32) -> String {
+    match index {
+        0.. => index.to_string(),
+        _ => format!("m{}", index.unsigned_abs()),
+    }
+}
+
+/// The name of a given, its impacts moved on.
+pub fn given_name(given: usize, shift: i32) -> String {
+    match shift {
+        0 => format!("G{given}"),
+        _ => format!("G{given}s{}", place(shift)),
+    }
 }
 
 type Text = Result<String, Unwritten>;
@@ -66,6 +120,8 @@ impl<'a> Steps<'a> {
             whole: certificate.whole.iter().copied().collect(),
             on: Grounds::new(),
             times: BTreeMap::new(),
+            flights: BTreeSet::new(),
+            bound: 0,
         }
     }
 
@@ -113,6 +169,114 @@ impl<'a> Steps<'a> {
     fn given(&mut self, number: usize) -> String {
         self.on.insert(Ground::Given(number));
         format!("G{number}")
+    }
+
+    fn shifted(&mut self, given: usize, shift: i32) -> String {
+        self.on.insert(match shift {
+            0 => Ground::Given(given),
+            _ => Ground::Shifted(given, shift),
+        });
+        given_name(given, shift)
+    }
+
+    fn source(&mut self, source: LawSource) -> String {
+        match source {
+            LawSource::Given { given, shift } => self.shifted(given, shift),
+            LawSource::Derived(number) => {
+                self.on.insert(Ground::Law(number));
+                format!("L{number}")
+            }
+        }
+    }
+
+    /// The time over which a law runs, and the flight that it is in.
+    fn runs(&self, source: LawSource) -> Option<(Symbol, Option<i32>)> {
+        match source {
+            LawSource::Given { given, shift } => {
+                let law = self.checker.statement.givens().get(given)?.law.clone()?;
+                Some((law.time?, law.flight.map(|flight| flight + shift)))
+            }
+            LawSource::Derived(number) => self.times.get(&number).copied(),
+        }
+    }
+
+    /// A law at the time over which it runs.
+    fn general(&mut self, source: LawSource) -> Result<Instance, Unwritten> {
+        let runs = self.runs(source);
+        let at = runs.map(|(time, _)| self.checker.statement.terms_mut().symbol(time));
+        let running = runs.and_then(|(time, flight)| Some((time, flight?)));
+        let outer = self.checker.run_over(running);
+        let instance = self.checker.instance(source, at);
+        self.checker.run_over(outer);
+        Ok(instance?)
+    }
+
+    /// The times between which a flight lies.
+    fn ends(&mut self, flight: i32) -> Result<[String; 2], Unwritten> {
+        self.flights.insert(flight);
+        let times = self.checker.statement.times().clone();
+        let end = |index: i32| times.get(&index).copied();
+        let (Some(from), Some(to)) = (end(flight), end(flight + 1)) else {
+            return Err(Unwritten::Not("a flight whose ends have no names"));
+        };
+        let [from, to] = [from, to].map(|symbol| self.checker.statement.terms_mut().symbol(symbol));
+        Ok([self.full(from)?, self.full(to)?])
+    }
+
+    fn in_flight(&mut self, flight: i32, time: &str) -> Text {
+        let [from, to] = self.ends(flight)?;
+        Ok(format!("{from} <= {time} <= {to}"))
+    }
+
+    /// What stands before a given law, and what it says.
+    pub fn law_said(&mut self, given: usize, shift: i32) -> Result<(Before, String), Unwritten> {
+        let source = LawSource::Given { given, shift };
+        let instance = self.general(source)?;
+        let mut before = Before::default();
+        if let Some((time, flight)) = self.runs(source) {
+            let at = self.checker.statement.terms_mut().symbol(time);
+            let time = self.full(at)?;
+            before.flight = flight.map(|flight| self.in_flight(flight, &time)).transpose()?;
+            before.time = Some(time);
+        }
+        for (shown, of) in instance.conditions {
+            before.conditions.push(property(shown, &self.full(of)?));
+        }
+        let says = property(instance.property, &self.full(instance.term)?);
+        Ok((before, says))
+    }
+
+    /// A name for a time that is bound, which the symbol has until it is given back.
+    fn bind(&mut self, time: Symbol) -> (String, Option<String>) {
+        self.bound += 1;
+        let name = format!("U{}", self.bound);
+        (name.clone(), self.names.put(time, Some(name)))
+    }
+
+    /// The names of what a motion is at an end of its flight, where a law is taken there.
+    fn at_end(&mut self, general: &Instance, at: Term) -> Vec<String> {
+        let Node::Symbol(symbol) = *self.checker.statement.terms().node(at) else {
+            return Vec::new();
+        };
+        let statement = &*self.checker.statement;
+        let all = general.conditions.iter().map(|(_, of)| *of).chain([general.term]);
+        let inside: BTreeSet<Term> = all.flat_map(|term| statement.terms().inside(term)).collect();
+        let mut names = Vec::new();
+        for inner in inside {
+            if let Node::Value(function, order, _) = statement.terms().node(inner)
+                && let Some(FunctionOf::Flight { impact, .. }) = statement.functions().get(function.0 as usize)
+            {
+                for (index, mark) in [(*impact, 'a'), (*impact + 1, 'b')] {
+                    if statement.times().get(&index) == Some(&symbol) {
+                        let name = format!("E{}_{order}{mark}", function.0);
+                        if statement.end_of(*function, *order, mark == 'a').is_some() && !names.contains(&name) {
+                            names.push(name);
+                        }
+                    }
+                }
+            }
+        }
+        names
     }
 
     fn polynomial_of(&self, fact: usize) -> Result<Polynomial, Unwritten> {
@@ -420,6 +584,9 @@ impl<'a> Steps<'a> {
         if let Inference::Derivative(source) = step {
             return self.derivative(step, *source);
         }
+        if let Inference::Constant { .. } = step {
+            return self.constant(step);
+        }
         // what a proof rests on is what was known before
         let before = self.before(step)?;
         self.checker.apply(step)?;
@@ -537,12 +704,10 @@ impl<'a> Steps<'a> {
                 let name = format!("H{}", term.0);
                 self.of_term(Property::Nonzero, *term, &name)
             }
-            Inference::Law { source, at: Some(at) } => self.law(*source, *at),
-            Inference::Law { .. } => Err(Unwritten::Not("a law that runs over an index")),
+            Inference::Law { source, at } => self.law(*source, *at),
             Inference::Between { target, within } => self.between(target, within),
-            Inference::Constant { .. } => Err(Unwritten::Not("a term whose derivative is 0")),
-            Inference::Along { .. } => Err(Unwritten::Not("a derivative along a map")),
-            Inference::Cases { .. } | Inference::Derivative(_) => Err(NO_SUCH),
+            Inference::Along { map, equation, by } => self.along(*map, *equation, *by),
+            Inference::Cases { .. } | Inference::Derivative(_) | Inference::Constant { .. } => Err(NO_SUCH),
         }
     }
 
@@ -665,6 +830,87 @@ impl<'a> Steps<'a> {
         let right = printed.rsplit(['=', '>']).next().unwrap_or_default().trim();
         let mut letters = row.letters.iter().zip(&axiom.terms);
         right == "0" || letters.any(|(letter, &term)| *letter == right && is_zero(term))
+    }
+
+    /// The names under which maps have what they give: functions of what they start from.
+    pub fn image(&mut self, of: Symbol) -> String {
+        let name = self.names.symbol(&*self.checker.statement, of);
+        format!("map_{name}")
+    }
+
+    /// An equation of a map, differentiated along it.
+    fn along(&mut self, map: usize, equation: usize, by: Symbol) -> Text {
+        let step = self.checker.statement.maps().get(map).cloned().ok_or(NO_SUCH)?;
+        let term = step.equations.get(equation).ok_or(NO_SUCH)?.1;
+        let slope = self.checker.statement.along(term, &step, by);
+        let written = self.checker.statement.written_out(term);
+        let moving = self.checker.statement.terms().inside(written);
+        for inner in moving {
+            if let Node::Symbol(symbol) = *self.checker.statement.terms().node(inner)
+                && self.checker.statement.moves_along(symbol)
+                && !step.by.contains(&symbol)
+                && !step.of.contains(&symbol)
+            {
+                return Err(Unwritten::Not("a quantity that moves along a map without being of it"));
+            }
+        }
+        let mut text = String::new();
+        let mut domain = self.checker.statement.domain(written);
+        domain.extend(self.checker.statement.domain(slope));
+        let near = self
+            .checker
+            .statement
+            .holding_near(&domain, &[written], &Statement::moves_along);
+        domain.extend(near.unwrap_or_default());
+        let mut names = Vec::new();
+        for (count, (shown, of)) in domain.into_iter().enumerate() {
+            let own = self.full(of)?;
+            let by = self.shown(shown, of)?;
+            let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+            names.push(format!("A{count}"));
+        }
+        let starts: Vec<String> = step
+            .by
+            .iter()
+            .map(|&own| self.names.symbol(&*self.checker.statement, own))
+            .collect();
+        let (full, full_slope) = (self.full(slope), self.short(slope)?);
+        let full = full?;
+        let mut values = Vec::new();
+        for &of in &step.of {
+            let image = self.image(of);
+            let outer = self.names.put(of, Some(format!("({image} {})", starts.join(" "))));
+            values.push((of, format!("V_{image}"), outer));
+        }
+        let moved = self.full(written);
+        for (of, _, outer) in &values {
+            self.names.put(*of, outer.clone());
+        }
+        let moved = moved?;
+        let by = self.names.symbol(&*self.checker.statement, by);
+        self.on.insert(Ground::Near(map, equation));
+        let rewrites: Vec<String> = values.iter().map(|(_, value, _)| format!("?{value}")).collect();
+        let rewrites = rewrites.join(", ");
+        for name in names {
+            let _ = write!(text, "rewrite {rewrites} in {name}.\n");
+        }
+        let _ = write!(
+            text,
+            "assert (B : {full_slope} = 0).\n{{ change ({full} = 0). refine (slope_of_zero_near (fun {by} => {moved}) {by} _ _ _).\n\
+             {{ destruct N{map}_{equation} as (e & P & Q). exists (mkposreal e P). intros u U. pose proof (Q {}) as X. cbv beta zeta in X. as_printed X. }}\n\
+             rewrite {rewrites}. differentiate_smooth. }}\n",
+            starts
+                .iter()
+                .map(|start| if *start == by { "u".to_owned() } else { start.clone() })
+                .chain(starts.iter().map(|start| match *start == by {
+                    true => "U".to_owned(),
+                    false => "(near_itself _ _ P)".to_owned(),
+                }))
+                .collect::<Vec<_>>()
+                .join(" ")
+        );
+        text += &self.of_term(Property::Zero, slope, "B")?;
+        Ok(text)
     }
 
     fn unfold(&mut self, term: Term) -> Text {
@@ -893,19 +1139,37 @@ impl<'a> Steps<'a> {
         ))
     }
 
-    /// An instance of a law at a time.
-    fn law(&mut self, source: LawSource, at: Term) -> Text {
-        let instance = self.checker.instance(source, Some(at))?;
-        let mut call = match source {
-            LawSource::Given { given, shift: 0 } => self.given(given),
-            LawSource::Given { .. } => return Err(Unwritten::Not("a law at other impacts")),
-            LawSource::Derived(number) => {
-                self.on.insert(Ground::Law(number));
-                format!("L{number}")
-            }
-        };
-        call += &format!(" {}", self.short(at)?);
+    /// An instance of a law, at a time where it runs over one.
+    fn law(&mut self, source: LawSource, at: Option<Term>) -> Text {
+        let general = self.general(source)?;
+        let instance = self.checker.instance(source, at)?;
+        let name = self.source(source);
         let mut text = String::new();
+        let mut call = name;
+        if let Some(at) = at {
+            let short = self.short(at)?;
+            call += &format!(" {short}");
+            let ends = self.at_end(&general, at);
+            if !ends.is_empty() {
+                let rewrites: Vec<String> = ends.iter().map(|end| format!("?{end}")).collect();
+                let _ = write!(
+                    text,
+                    "pose proof ({call}) as B0. rewrite {} in B0.\n",
+                    rewrites.join(", ")
+                );
+                call = "B0".to_owned();
+                // the states at the ends are spoken of
+                for (_, of) in &instance.conditions {
+                    self.full(*of)?;
+                }
+                self.full(instance.term)?;
+            }
+            if let Some((_, Some(flight))) = self.runs(source) {
+                let within = self.in_flight(flight, &short)?;
+                let _ = write!(text, "assert (I0 : {within}) by within_flight.\n");
+                call += " I0";
+            }
+        }
         for (count, (shown, of)) in instance.conditions.into_iter().enumerate() {
             let own = self.short(of)?;
             let by = self.shown(shown, of)?;
@@ -925,36 +1189,181 @@ impl<'a> Steps<'a> {
     /// A law that follows by differentiating another one that holds at every time.
     fn derivative(&mut self, step: &Inference, source: LawSource) -> Text {
         let number = self.checker.laws();
-        let time = match source {
-            LawSource::Given { given, shift: 0 } => self
-                .checker
-                .statement
-                .givens()
-                .get(given)
-                .and_then(|own| own.law.as_ref()?.time),
-            LawSource::Given { .. } => None,
-            LawSource::Derived(number) => self.times.get(&number).copied(),
-        };
-        let time = time.ok_or(Unwritten::Not("the derivative of a law of flight"))?;
+        let runs = self.runs(source);
+        let (time, flight) = runs.ok_or(Unwritten::Not("the derivative of a law without a time"))?;
         self.checker.apply(step)?;
-        self.times.insert(number, time);
-        let at = self.checker.statement.terms_mut().symbol(time);
-        let [base, own] = [source, LawSource::Derived(number)].map(|source| self.checker.instance(source, Some(at)));
-        let (base, own) = (base?, own?);
-        if !base.conditions.is_empty() || !own.conditions.is_empty() {
-            return Err(Unwritten::Not("the derivative of a law that holds under conditions"));
+        self.times.insert(number, (time, flight));
+        let (base, own) = (self.general(source)?, self.general(LawSource::Derived(number))?);
+        let law = self.source(source);
+        let (at, outer) = self.bind(time);
+        let text = self.slope(number, flight, &law, &at, &base, &own);
+        self.names.put(time, outer);
+        text
+    }
+
+    fn slope(
+        &mut self,
+        number: usize,
+        flight: Option<i32>,
+        law: &str,
+        at: &str,
+        base: &Instance,
+        own: &Instance,
+    ) -> Text {
+        let (of, slope) = (self.full(base.term)?, self.full(own.term)?);
+        if base.conditions.is_empty() && own.conditions.is_empty() && flight.is_none() {
+            return Ok(format!(
+                "assert (L{number} : forall {at} : R, {slope} = 0).\n{{ apply (slope_of_zero (fun {at} => {of}) (fun {at} => {slope})); \
+                 [exact {law} | intro; differentiate_smooth]. }}\n"
+            ));
         }
-        let (of, slope, at) = (self.full(base.term)?, self.full(own.term)?, self.full(at)?);
-        let law = match source {
-            LawSource::Given { given, .. } => self.given(given),
-            LawSource::Derived(number) => {
-                self.on.insert(Ground::Law(number));
-                format!("L{number}")
+        let conditions = |steps: &mut Self, of: &Instance| {
+            let said = of
+                .conditions
+                .iter()
+                .map(|(shown, of)| Ok(property(*shown, &steps.full(*of)?)));
+            said.collect::<Result<Vec<String>, Unwritten>>()
+        };
+        let (before, after) = (conditions(self, base)?, conditions(self, own)?);
+        let mut own_before = Before {
+            time: Some(at.to_owned()),
+            flight: None,
+            conditions: after,
+        };
+        let near = match before.is_empty() {
+            true => "True".to_owned(),
+            false => before.join(" /\\ "),
+        };
+        let names: Vec<String> = (0..before.len()).map(|n| format!("K{n}")).collect();
+        let taken = match names.as_slice() {
+            [] => "_".to_owned(),
+            [single] => single.clone(),
+            names => format!("({})", names.join(" & ")),
+        };
+        let proof = match flight {
+            Some(flight) => {
+                let [from, to] = self.ends(flight)?;
+                own_before.flight = Some(format!("{from} <= {at} <= {to}"));
+                format!(
+                    "refine (slope_in_flight (fun {at} => {of}) (fun {at} => {near}) {from} {to} T0 _ _ _ I0 _ _); \
+                     [assumption | intros u J {taken}; exact ({law} u J {}) | near_by | differentiate_smooth]",
+                    names.join(" ")
+                )
+            }
+            None => format!(
+                "refine (slope_nearby (fun {at} => {of}) (fun {at} => {near}) T0 _ _ _ _); \
+                 [intros u {taken}; exact ({law} u {}) | near_by | differentiate_smooth]",
+                names.join(" ")
+            ),
+        };
+        let says = own_before.all(&format!("{slope} = 0"));
+        Ok(format!(
+            "assert (L{number} : {says}).\n{{ intros {}. {proof}. }}\n",
+            own_before.names()
+        ))
+    }
+
+    /// The law that a term whose derivative is 0 has one value.
+    fn constant(&mut self, step: &Inference) -> Text {
+        let Inference::Constant {
+            of,
+            time,
+            at,
+            flight,
+            steps,
+        } = step
+        else {
+            return Err(NO_SUCH);
+        };
+        let (time, flight) = (*time, *flight);
+        let number = self.checker.laws();
+        let of = self.checker.statement.written_out(*of);
+        let slope = self.checker.statement.derivative(of, time);
+        let (name, outer) = self.bind(time);
+        let mark = self.checker.mark();
+        let running = self.checker.run_over(flight.map(|flight| (time, flight)));
+        let inner = self.scope(steps, &mut |own| {
+            let says = property(Property::Zero, &own.short(slope)?);
+            let by = own.shown(Property::Zero, slope)?;
+            let domain = own.checker.statement.domain(slope);
+            let mut text = String::new();
+            for (count, (shown, of)) in domain.into_iter().enumerate() {
+                let (full, by) = (own.full(of)?, own.shown(shown, of)?);
+                let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &full));
+            }
+            Ok(format!("{text}assert (B : {says}).\n{{ {by}. }}\n"))
+        });
+        self.checker.run_over(running);
+        self.checker.back_to(mark);
+        let text = self.constant_text(inner, of, slope, time, *at, flight, number, &name);
+        self.names.put(time, outer);
+        let text = text?;
+        let grounds = std::mem::take(&mut self.on);
+        self.checker.apply(step)?;
+        self.times.insert(number, (time, flight));
+        self.on = grounds;
+        Ok(text)
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn constant_text(
+        &mut self,
+        inner: Result<(String, Grounds), Unwritten>,
+        of: Term,
+        slope: Term,
+        time: Symbol,
+        at: Term,
+        flight: Option<i32>,
+        number: usize,
+        name: &str,
+    ) -> Text {
+        let (script, mut grounds) = inner?;
+        // names of what moves with the time are given where it is bound
+        let named = grounds.iter().filter_map(|ground| match ground {
+            Ground::Named(term) => Some(*term),
+            _ => None,
+        });
+        let named: BTreeSet<Term> = named.collect();
+        let all = self.named_with(&named)?;
+        grounds.retain(|ground| !matches!(ground, Ground::Named(_)));
+        let mut poses = String::new();
+        for (term, body) in all {
+            match self.checker.statement.terms().holds(term, time) {
+                true => poses += &body,
+                false => {
+                    grounds.insert(Ground::Named(term));
+                }
+            }
+        }
+        self.on = grounds;
+        let there = self.checker.statement.moved(of, Some((time, at)), 0);
+        let general = Instance {
+            property: Property::Zero,
+            term: of,
+            conditions: Vec::new(),
+        };
+        let ends = self.at_end(&general, at);
+        let rewrites: Vec<String> = ends.iter().map(|end| format!("rewrite ?{end} in B. ")).collect();
+        let (of, there, slope, at) = (self.full(of)?, self.full(there)?, self.full(slope)?, self.full(at)?);
+        let (within, intro, call) = match flight {
+            Some(flight) => {
+                let [from, to] = self.ends(flight)?;
+                let call = format!(
+                    "(constant_in_flight (fun {name} => {of}) {from} {to} Z {name} {at} I0 ltac:(within_flight))"
+                );
+                let within = format!("{from} <= {name} <= {to} -> ");
+                (within, format!("intros {name} I0. "), call)
+            }
+            None => {
+                let call = format!("(constant_everywhere (fun {name} => {of}) Z {name} {at})");
+                (String::new(), format!("intros {name}. "), call)
             }
         };
         Ok(format!(
-            "assert (L{number} : forall {at} : R, {slope} = 0).\n{{ apply (slope_of_zero (fun {at} => {of}) (fun {at} => {slope})); \
-             [exact {law} | intro; differentiate_smooth]. }}\n"
+            "assert (L{number} : forall {name} : R, {within}{of} - {there} = 0).\n{{ assert (Z : forall {name} : R, {within}is_derive (fun {name} => {of}) {name} 0).\n\
+             {{ {intro}\n{poses}{script}refine (derivative_is _ _ ({slope}) _ B); differentiate_smooth. }}\n\
+             {intro}pose proof {call} as B. cbv beta in B. {}exact B. }}\n",
+            rewrites.concat()
         ))
     }
 
@@ -969,6 +1378,12 @@ impl<'a> Steps<'a> {
 
     /// The definitions of names for terms, in order.
     pub fn named(&mut self, terms: &BTreeSet<Term>) -> Text {
+        let all = self.named_with(terms)?.into_iter().map(|(_, text)| text);
+        Ok(all.collect())
+    }
+
+    /// The definitions of names for terms and those within them, in order.
+    fn named_with(&mut self, terms: &BTreeSet<Term>) -> Result<Vec<(Term, String)>, Unwritten> {
         let mut all = terms.clone();
         let mut open: Vec<Term> = terms.iter().copied().collect();
         let mut bodies = Vec::new();
@@ -982,13 +1397,10 @@ impl<'a> Steps<'a> {
                     open.push(inner);
                 }
             }
-            bodies.push((term, body));
+            bodies.push((term, format!("pose (g{} := {body} : R).\n", term.0)));
         }
         bodies.sort();
-        let text = bodies
-            .iter()
-            .map(|(term, body)| format!("pose (g{} := {body} : R).\n", term.0));
-        Ok(text.collect())
+        Ok(bodies)
     }
 }
 

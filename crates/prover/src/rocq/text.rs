@@ -1,6 +1,6 @@
 //! Terms and polynomials of the kernel as Rocq writes them.
 
-use kernel::{Elementary, Node, Polynomial, Property, Statement, Symbol, Term};
+use kernel::{Elementary, FunctionOf, Node, Polynomial, Property, Statement, Symbol, Term};
 use num_traits::Zero;
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
@@ -66,7 +66,7 @@ impl Names {
     fn new_name(&mut self, printed: &str) -> String {
         let mut name = plain(printed);
         let is_ours = |name: &str| {
-            let rest = name.trim_start_matches(|c: char| "gFGHABCDLMPTXZ".contains(c));
+            let rest = name.trim_start_matches(|c: char| "gABCDEFGHIJKLMNOPSTUVWXZ".contains(c));
             rest.len() + 1 == name.len() && rest.chars().all(|c| c.is_ascii_digit()) && !rest.is_empty()
         };
         while TAKEN.contains(&name.as_str()) || is_ours(&name) || self.taken.contains(&name) {
@@ -85,6 +85,11 @@ impl Names {
         name
     }
 
+    /// Whether a symbol has a name.
+    pub fn has(&self, symbol: Symbol) -> bool {
+        self.symbols.contains_key(&symbol)
+    }
+
     /// Keeps the names among these words alone.
     pub fn keep(&mut self, words: &BTreeSet<&str>) {
         self.symbols.retain(|_, name| words.contains(name.as_str()));
@@ -96,14 +101,27 @@ impl Names {
         self.symbols.insert(symbol, name.to_owned());
     }
 
+    /// Gives a symbol another name, or none; returns the one that it had.
+    pub fn put(&mut self, symbol: Symbol, name: Option<String>) -> Option<String> {
+        match name {
+            Some(name) => self.symbols.insert(symbol, name),
+            None => self.symbols.remove(&symbol),
+        }
+    }
+
     /// A function's derivative of an order.
     pub fn function(&mut self, statement: &Statement, function: kernel::Function, order: u32) -> String {
         if let Some(known) = self.functions.get(&(function.0, order)) {
             return known.clone();
         }
-        let printed = statement.terms().function_name(function);
+        let printed = match statement.functions().get(function.0 as usize) {
+            Some(FunctionOf::Flight { state, impact }) => {
+                format!("{state}_from_{}", texmath::subscript_of(*impact, statement.letter()))
+            }
+            _ => statement.terms().function_name(function).to_owned(),
+        };
         let name = match order {
-            0 => self.new_name(printed),
+            0 => self.new_name(&printed),
             _ => self.new_name(&format!("{printed}_D{order}")),
         };
         self.functions.insert((function.0, order), name.clone());
