@@ -1,7 +1,7 @@
 //! Axioms: the rows of `axioms.txt`, each with its guards, and their instances.
 
 use super::expand::Refusal;
-use super::statement::{Property, Statement};
+use super::statement::{Instance, Property, Statement};
 use super::term::{Elementary, Node, Term, Terms};
 use numbers::{Field, Rational};
 use std::sync::LazyLock;
@@ -81,11 +81,11 @@ impl Axiom {
 }
 
 impl Axiom {
-    /// What must be known of terms for an instance, and the property and the term that it concludes.
+    /// What it concludes of which term, and what must hold for that.
     ///
     /// # Errors
     /// A [`Refusal`] where there is no such axiom of as many letters.
-    pub fn conditions(&self, statement: &mut Statement) -> Result<(Vec<(Property, Term)>, (Property, Term)), Refusal> {
+    pub fn reading(&self, statement: &mut Statement) -> Result<Instance, Refusal> {
         let (guards, conclusion) = self.instance(&mut statement.terms)?;
         let mut conditions = Vec::new();
         for guard in guards {
@@ -99,7 +99,11 @@ impl Axiom {
             }
         }
         match conclusion {
-            Guard::Holds(property, term) => Ok((conditions, (property, term))),
+            Guard::Holds(property, term) => Ok(Instance {
+                property,
+                term,
+                conditions,
+            }),
             _ => Err(Refusal::Other("an axiom concludes a property".into())),
         }
     }

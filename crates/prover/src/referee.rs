@@ -112,7 +112,7 @@ fn broken(text: &str, first: &str, next: &str) -> Vec<String> {
     }
 }
 
-/// The short scripts of the claim at a position: one, or one for each goal where they do not fit into one.
+/// The short scripts of the claim at a position: one, or several where its goals do not fit into one.
 ///
 /// # Errors
 /// [`NoScript`] where the claim, or one of its goals, has none.
@@ -121,19 +121,36 @@ pub fn short_scripts(sheet: &Sheet, position: usize, options: &Options) -> Resul
     if decided.is_empty() {
         return Err(NoScript::Words);
     }
-    let parts: Vec<(&Decided, Block)> = decided
-        .iter()
-        .map(|one| Ok((one, block(one)?)))
-        .collect::<Result<_, NoScript>>()?;
-    match script(&parts) {
-        Ok(whole) => Ok(vec![whole]),
-        Err(_) => parts.chunks(1).map(script).collect(),
+    let mut parts: Vec<(&Decided, Block)> = Vec::new();
+    for one in &decided {
+        let block = block(one)?;
+        // the same goal may come from several cases
+        if parts.iter().all(|(_, known)| known.lines != block.lines) {
+            parts.push((one, block));
+        }
     }
+    packed(&parts)
+}
+
+/// Scripts of as many goals each as fit into one.
+fn packed(mut rest: &[(&Decided, Block)]) -> Result<Vec<String>, NoScript> {
+    let mut scripts = Vec::new();
+    while !rest.is_empty() {
+        let most = (1..=rest.len())
+            .rev()
+            .find_map(|count| Some((count, script(&rest[..count]).ok()?)));
+        let (count, text) = most.ok_or(NoScript::TooLong)?;
+        scripts.push(text);
+        rest = &rest[count..];
+    }
+    Ok(scripts)
 }
 
 fn block(one: &Decided) -> Result<Block, NoScript> {
-    let mut block = Block::default();
-    block.rules = one.goal.statements.rules.iter().map(ToString::to_string).collect();
+    let mut block = Block {
+        rules: one.goal.statements.rules.iter().map(ToString::to_string).collect(),
+        ..Block::default()
+    };
     let part = match one.goal.part.as_str() {
         "" => String::new(),
         part => format!(" ({part})"),
@@ -190,11 +207,7 @@ fn script(parts: &[(&Decided, Block)]) -> Result<String, NoScript> {
             rules.join("; ")
         ));
     }
-    let mut body: Vec<String> = Vec::new();
-    for (place, (_, block)) in parts.iter().enumerate() {
-        let is_new = parts.iter().take(place).all(|(_, before)| before.lines != block.lines);
-        body.extend(block.lines.iter().filter(|_| is_new).cloned());
-    }
+    let mut body: Vec<String> = parts.iter().flat_map(|(_, block)| block.lines.clone()).collect();
     if body.iter().any(|line| words(line).contains("is_zero")) {
         body.insert(
             0,

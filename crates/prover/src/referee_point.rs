@@ -28,7 +28,7 @@ pub(super) fn write(one: &Decided, witness: &With<Witness>, block: &mut Block) -
         asserts: Block::default(),
     };
     point.givens(one, &givens)?;
-    point.claim(one)?;
+    point.claim()?;
     let mut values = Block::default();
     point.values(&mut values)?;
     block.lines.append(&mut values.lines);
@@ -139,7 +139,8 @@ impl Point<'_> {
         }
         // the claim may be of one time
         let statement = self.at.statement();
-        let any = statement.fresh(&statement.terms().symbol_name(time).to_owned());
+        let printed = statement.terms().symbol_name(time).to_owned();
+        let any = statement.fresh(&printed);
         let at_any = statement.terms_mut().symbol(any);
         let term = statement.terms_mut().substitute(given.term, time, at_any);
         self.bound.insert(any);
@@ -154,7 +155,7 @@ impl Point<'_> {
     }
 
     /// Asserts that the claim fails.
-    fn claim(&mut self, one: &Decided) -> Result<(), NoScript> {
+    fn claim(&mut self) -> Result<(), NoScript> {
         let goals = self.at.statement().goal().to_vec();
         let mut failing = None;
         for (property, term) in &goals {
@@ -178,7 +179,6 @@ impl Point<'_> {
         let expression = self.expression(term)?;
         let is_plain = matches!(self.at.statement().terms().node(value), Node::Number(_));
         let shown = tex(self.at.statement().terms(), value);
-        let _ = one;
         self.asserts
             .name("claim", &expression, &format!("left and right differ by {shown}"));
         let fails = match (property, is_plain) {

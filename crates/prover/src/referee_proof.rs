@@ -157,17 +157,14 @@ impl Writer<'_> {
             .flat_map(|fact| self.basis(fact))
             .collect();
         while let Some(fact) = open.pop() {
-            if !conditions.contains_key(&fact) {
-                let needed = self.conditions(fact)?;
-                open.extend(self.proof.below(&self.proof.facts[fact].1).range(..fact));
-                open.extend(
-                    needed
-                        .iter()
-                        .filter_map(|condition| condition.fact)
-                        .flat_map(|fact| self.basis(fact)),
-                );
-                conditions.insert(fact, needed);
+            if conditions.contains_key(&fact) {
+                continue;
             }
+            let needed = self.conditions(fact)?;
+            open.extend(self.proof.below(&self.proof.facts[fact].1).range(..fact));
+            let facts = needed.iter().filter_map(|condition| condition.fact);
+            open.extend(facts.flat_map(|fact| self.basis(fact)));
+            conditions.insert(fact, needed);
         }
         let goals = self.goals(known)?;
         let shown: Vec<usize> = conditions.keys().copied().collect();
@@ -270,7 +267,7 @@ impl Writer<'_> {
     fn conditions(&mut self, fact: usize) -> Result<Vec<Condition>, NoScript> {
         let statement = &mut self.proof.statement;
         let needed = match self.proof.facts[fact].1.clone() {
-            Inference::Axiom(axiom) => axiom.conditions(statement).map_err(|_| NoScript::Step)?.0,
+            Inference::Axiom(axiom) => axiom.reading(statement).map_err(|_| NoScript::Step)?.conditions,
             Inference::Law { source, at } => {
                 let mut checker = Checker::new(statement, self.certificate, u64::MAX);
                 let instance = checker.instance(source, at).map_err(|_| NoScript::Laws)?;
@@ -529,7 +526,7 @@ impl Writer<'_> {
         let statement = &mut self.proof.statement;
         let term = match step {
             Inference::Given(given) => statement.givens().get(given)?.term,
-            Inference::Axiom(axiom) => axiom.conditions(statement).ok()?.1.1,
+            Inference::Axiom(axiom) => axiom.reading(statement).ok()?.term,
             Inference::Law { source, at } => {
                 let mut checker = Checker::new(statement, self.certificate, u64::MAX);
                 checker.instance(source, at).ok()?.term
@@ -747,9 +744,11 @@ impl Writer<'_> {
                 self.block.comment(&format!("{so}, {source}{printed}"));
                 return Ok(());
             }
+            let is_number = self.proof.statement.terms().is_closed(goal.term);
             let by_itself = match goal.property {
                 Property::Zero => format!("assert is_zero({})", goal.name),
                 _ if goal.polynomial.is_zero() => format!("assert is_zero({})", goal.name),
+                _ if !is_number => return Err(NoScript::Step),
                 Property::Nonzero => format!("assert abs(N({}, 50)) > 0", goal.name),
                 Property::Positive | Property::NonNegative => format!("assert N({}, 50) > 0", goal.name),
                 Property::Integer => return Err(NoScript::Step),

@@ -208,7 +208,7 @@ impl Printer {
         let (mut scale, mut rest, mut is_closed) = (Rational::one(), Vec::new(), true);
         for part in parts {
             match statement.terms().node(*part) {
-                Node::Number(value) => scale = scale * value.clone(),
+                Node::Number(value) => scale *= value.clone(),
                 _ => {
                     is_closed &= statement.terms().is_closed(*part);
                     // what stands behind `*` and before `/` is all above the line
