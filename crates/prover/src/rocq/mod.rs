@@ -356,11 +356,7 @@ impl Theorem {
             if let Some(running) = running.filter(|own| statement.flight() == Some(flight) && steps.names.has(*own)) {
                 let time = steps.names.symbol(statement, running);
                 let says = format!("{from} <= {time} <= {to}");
-                self.push(
-                    format!("I{}", steps::place(flight)),
-                    says,
-                    "a time of the flight".into(),
-                );
+                self.push(format!("Q{}", steps::place(flight)), says, "a time of the flight".into());
             }
         }
         let functions: Vec<_> = steps

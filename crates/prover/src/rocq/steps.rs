@@ -1295,14 +1295,12 @@ impl<'a> Steps<'a> {
         });
         self.checker.run_over(running);
         self.checker.back_to(mark);
+        let applied = self.checker.apply(step);
+        self.times.insert(number, (time, flight));
         let text = self.constant_text(inner, of, slope, time, *at, flight, number, &name);
         self.names.put(time, outer);
-        let text = text?;
-        let grounds = std::mem::take(&mut self.on);
-        self.checker.apply(step)?;
-        self.times.insert(number, (time, flight));
-        self.on = grounds;
-        Ok(text)
+        applied?;
+        text
     }
 
     #[allow(clippy::too_many_arguments)]
@@ -1344,15 +1342,21 @@ impl<'a> Steps<'a> {
         };
         let ends = self.at_end(&general, at);
         let rewrites: Vec<String> = ends.iter().map(|end| format!("rewrite ?{end} in B. ")).collect();
+        let mut conditions = String::new();
+        let mut taken = String::new();
+        let own = self.general(LawSource::Derived(number))?;
+        for (count, (shown, of)) in own.conditions.into_iter().enumerate() {
+            conditions += &format!("{} -> ", property(shown, &self.full(of)?));
+            taken += &format!("C{count} ");
+        }
         let (of, there, slope, at) = (self.full(of)?, self.full(there)?, self.full(slope)?, self.full(at)?);
+        let during = name.replace('U', "J");
         let (within, intro, call) = match flight {
             Some(flight) => {
                 let [from, to] = self.ends(flight)?;
-                let call = format!(
-                    "(constant_in_flight (fun {name} => {of}) {from} {to} Z {name} {at} I0 ltac:(within_flight))"
-                );
+                let call = format!("(constant_in_flight (fun {name} => {of}) {from} {to} Z {name} {at} {during} ltac:(within_flight))");
                 let within = format!("{from} <= {name} <= {to} -> ");
-                (within, format!("intros {name} I0. "), call)
+                (within, format!("intros {name} {during}. "), call)
             }
             None => {
                 let call = format!("(constant_everywhere (fun {name} => {of}) Z {name} {at})");
@@ -1360,9 +1364,9 @@ impl<'a> Steps<'a> {
             }
         };
         Ok(format!(
-            "assert (L{number} : forall {name} : R, {within}{of} - {there} = 0).\n{{ assert (Z : forall {name} : R, {within}is_derive (fun {name} => {of}) {name} 0).\n\
+            "assert (L{number} : forall {name} : R, {within}{conditions}{of} - {there} = 0).\n{{ assert (Z : forall {name} : R, {within}is_derive (fun {name} => {of}) {name} 0).\n\
              {{ {intro}\n{poses}{script}refine (derivative_is _ _ ({slope}) _ B); differentiate_smooth. }}\n\
-             {intro}pose proof {call} as B. cbv beta in B. {}exact B. }}\n",
+             {intro}intros {taken}. pose proof {call} as B. cbv beta in B. {}exact B. }}\n",
             rewrites.concat()
         ))
     }
