@@ -1,26 +1,32 @@
 //! Proofs and counterexamples as files for Rocq: the theorem is the printed formula, its proof the steps that the kernel accepted.
 
+mod operations;
 mod printed;
 mod steps;
 mod text;
 
 use super::script::{Decided, Found};
+use super::{Decision, Options, decided};
+use claims::{Sheet, Statements};
 use kernel::{
     At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Statement, Symbol, Term, With, Witness,
 };
+use operations::Printed;
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use steps::{Ground, Steps};
+use texmath::Symbols;
 pub use text::Unwritten;
 use text::property;
 
 /// The library that each file requires, in the order in which its files are compiled: the axioms of the kernel, what holds of
-/// sums, integrals and limits, and the rules of its steps, all as lemmas.
-pub const LIBRARY: [(&str, &str); 3] = [
+/// sums, integrals and limits, the rules of its steps, and those of claims with operations, all as lemmas.
+pub const LIBRARY: [(&str, &str); 4] = [
     ("VibroAxioms.v", include_str!("VibroAxioms.v")),
     ("VibroOperations.v", include_str!("VibroOperations.v")),
     ("VibroRules.v", include_str!("VibroRules.v")),
+    ("VibroClaims.v", include_str!("VibroClaims.v")),
 ];
 
 /// A text within a comment of Rocq, which may hold neither its signs nor a lone quotation mark.
@@ -29,11 +35,38 @@ fn comment(text: &str) -> String {
     text.replace("(*", "( *").replace("*)", "* )").replace('"', "''")
 }
 
+/// The files for the claim at a position: one for each question that decides it, or one about the printed formula where that holds
+/// a sum, an integral or the like and is proved.
+pub fn files(sheet: &Sheet, position: usize, options: &Options) -> Vec<Result<String, Unwritten>> {
+    let decided = decided(sheet, position, options);
+    let is_proved = |one: &Decided| matches!(one.found, Found::Proved { .. });
+    let statements = Decision::without_search(sheet, position).ok();
+    let has_operations = |statements: &Statements| statements.claims.iter().any(operations::has_operations);
+    match statements.filter(has_operations) {
+        Some(statements) if !decided.is_empty() && decided.iter().all(is_proved) => {
+            vec![whole(&statements, &sheet.symbols, &decided)]
+        }
+        _ => decided.iter().map(file).collect(),
+    }
+}
+
+/// The file about a claim with operations.
+fn whole(statements: &Statements, symbols: &Symbols, decided: &[Decided]) -> Result<String, Unwritten> {
+    let equation = operations::equation(statements)?;
+    let printed = Printed { equation, symbols };
+    written(operations::main_goal(decided)?, Some(printed))
+}
+
 /// The file for a question with what decides it.
 ///
 /// # Errors
 /// [`Unwritten`], which names the first thing that is not written for Rocq.
 pub fn file(decided: &Decided) -> Result<String, Unwritten> {
+    written(decided, None)
+}
+
+/// The file for a question, or for the printed claim that it decides.
+fn written(decided: &Decided, printed: Option<Printed>) -> Result<String, Unwritten> {
     if decided.question.statement.is_complex() {
         return Err(Unwritten::Not("complex numbers"));
     }
@@ -44,12 +77,13 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
         Found::Proved { certificate, .. } => {
             let mut own = certificate.statement.clone();
             let mut steps = Steps::new(&mut own, &certificate.evidence);
-            Theorem::of(decided, &mut steps)?.proved(decided, &mut steps, &certificate.evidence.steps)?
+            let theorem = Theorem::of(decided, printed, &mut steps)?;
+            theorem.proved(decided, &mut steps, &certificate.evidence.steps)?
         }
         Found::Refuted { witness } => {
             let mut own = witness.statement.clone();
             let mut steps = Steps::new(&mut own, &Certificate::default());
-            Theorem::of(decided, &mut steps)?.refuted(&mut steps, witness)?
+            Theorem::of(decided, None, &mut steps)?.refuted(&mut steps, witness)?
         }
     };
     let mut text = String::new();
@@ -61,7 +95,7 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
         comment(&decided.printed)
     );
     let rules: Vec<String> = decided.goal.statements.rules.iter().map(ToString::to_string).collect();
-    if !rules.is_empty() {
+    if !rules.is_empty() && printed.is_none() {
         let _ = writeln!(
             text,
             "(* reduced by rules that are trusted: {} *)",
@@ -70,7 +104,7 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
     }
     let _ = writeln!(
         text,
-        "Require Import VibroRules.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n"
+        "Require Import VibroClaims.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n"
     );
     Ok(text + &body)
 }
@@ -97,16 +131,29 @@ struct Theorem {
     claim_comment: String,
     /// Assertions that lead from the hypotheses to what is given.
     bridges: Vec<String>,
+    /// What replaces the operations of the claim by their values, where it is one that holds such.
+    values: Option<String>,
+    /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
+    is_whole: bool,
+}
+
+/// Returns true if a term is a number.
+fn is_closed(statement: &Statement, term: Term) -> bool {
+    let terms = statement.terms();
+    let is_free = |inner: Term| matches!(terms.node(inner), Node::Symbol(_) | Node::Value(..));
+    !terms.inside(term).into_iter().any(is_free)
 }
 
 impl Theorem {
-    fn of(decided: &Decided, steps: &mut Steps) -> Result<Self, Unwritten> {
+    fn of(decided: &Decided, whole: Option<Printed>, steps: &mut Steps) -> Result<Self, Unwritten> {
         let statements = &decided.goal.statements;
         let mut own = Self {
             hypotheses: Vec::new(),
             claim: String::new(),
             claim_comment: comment(&decided.question.equation.to_string()),
             bridges: Vec::new(),
+            values: None,
+            is_whole: whole.is_some(),
         };
         let printer = Printer::new(decided);
         let definitions: Vec<_> = steps.statement().definitions().iter().map(|(s, t)| (*s, *t)).collect();
@@ -144,7 +191,14 @@ impl Theorem {
                 None => own.given(number, given, None, &[], steps)?,
             }
         }
-        own.claim = printer.claim(decided, steps)?;
+        own.claim = match whole {
+            None => printer.claim(decided, steps)?,
+            Some(printed) => {
+                own.claim_comment = comment(&printed.equation.to_string());
+                own.values = Some(printed.values(decided, steps)?);
+                Printer::of_operations(decided).relation(printed.equation, None, steps)?
+            }
+        };
         Ok(own)
     }
 
@@ -210,7 +264,11 @@ impl Theorem {
             return Ok(());
         }
         let Some((printed, why)) = printed else {
-            self.push(name, before.all(&says), comment(&given.origin.to_string()));
+            let is_bare = before.conditions.is_empty() && before.time.is_none();
+            match self.is_whole && is_bare && is_closed(steps.statement(), given.term) {
+                true => self.bridges.push(format!("assert ({name} : {says}) by at_point.")),
+                false => self.push(name, before.all(&says), comment(&given.origin.to_string())),
+            }
             return Ok(());
         };
         let hypothesis = format!("P{}", self.hypotheses.len());
@@ -260,6 +318,7 @@ impl Theorem {
         inferences: &[kernel::Inference],
     ) -> Result<String, Unwritten> {
         let goals: Vec<(Property, Term)> = decided.question.statement.goal().to_vec();
+        let is_whole = self.is_whole;
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
             let mut end = String::new();
             for (place, &(shown, term)) in goals.iter().enumerate() {
@@ -267,7 +326,8 @@ impl Theorem {
                 let by = steps.shown(shown, term)?;
                 let _ = writeln!(end, "assert (B{place} : {}).\n{{ {by}. }}", property(shown, &short));
                 let _ = writeln!(end, "change ({}) in B{place}.", property(shown, &full));
-                let _ = writeln!(end, "conclude B{place}.");
+                let conclude = if is_whole { "conclude_claim" } else { "conclude" };
+                let _ = writeln!(end, "{conclude} B{place}.");
             }
             Ok(end)
         })?;
@@ -285,7 +345,8 @@ impl Theorem {
             }
         }
         let named = steps.named(&named)?;
-        self.of_names_in(&[&script, &named], steps);
+        let values = self.values.take().unwrap_or_default();
+        self.of_names_in(&[&script, &named, &values], steps);
         let mut text = format!("Theorem holds :\n{}.\nProof.\n", self.stated(steps));
         let names: Vec<&str> = self.hypotheses.iter().map(|own| own.name.as_str()).collect();
         for introduced in [variables(steps), names.iter().map(|&name| name.to_owned()).collect()] {
@@ -300,6 +361,7 @@ impl Theorem {
         if !printed.is_empty() {
             let _ = writeln!(text, "clear {}.", printed.join(" "));
         }
+        text += &values;
         text += &named;
         text += &script;
         text += "Qed.\n";

@@ -5,18 +5,31 @@ use super::text::{Unwritten, number};
 use crate::script::Decided;
 use claims::Premise;
 use kernel::Symbol;
-use texmath::{Condition, Elementary, Equation, Name, Relation, Tree, pair_of};
+use texmath::{Condition, Elementary, Equation, Name, Operation, Relation, Series, Tree, pair_of};
 
 /// The writer of the formulas of one question.
 pub struct Printer<'a> {
     decided: &'a Decided,
+    /// Whether sums, integrals and the like are written.
+    has_operations: bool,
 }
 
 type Text = Result<String, Unwritten>;
 
 impl<'a> Printer<'a> {
     pub fn new(decided: &'a Decided) -> Self {
-        Self { decided }
+        Self {
+            decided,
+            has_operations: false,
+        }
+    }
+
+    /// One that writes sums, integrals and the like, too.
+    pub fn of_operations(decided: &'a Decided) -> Self {
+        Self {
+            decided,
+            has_operations: true,
+        }
     }
 
     pub fn premise(&self, premise: &Premise, steps: &mut Steps) -> Text {
@@ -43,7 +56,7 @@ impl<'a> Printer<'a> {
         self.relation(&question.equation, upper, steps)
     }
 
-    fn relation(&self, equation: &Equation, upper: Option<bool>, steps: &mut Steps) -> Text {
+    pub fn relation(&self, equation: &Equation, upper: Option<bool>, steps: &mut Steps) -> Text {
         let (left, right) = (
             self.tree(&equation.left, upper, steps)?,
             self.tree(&equation.right, upper, steps)?,
@@ -59,7 +72,7 @@ impl<'a> Printer<'a> {
         Ok(format!("{left} {sign} {right}"))
     }
 
-    fn tree(&self, tree: &Tree, upper: Option<bool>, steps: &mut Steps) -> Text {
+    pub fn tree(&self, tree: &Tree, upper: Option<bool>, steps: &mut Steps) -> Text {
         let mut of = |tree: &Tree| self.tree(tree, upper, steps);
         Ok(match tree {
             Tree::Number(value) => number(value),
@@ -119,7 +132,70 @@ impl<'a> Printer<'a> {
             Tree::Partial { .. } | Tree::Invariant { .. } => {
                 return Err(Unwritten::Not("maps from one impact to the next"));
             }
-            Tree::Operation(..) => return Err(Unwritten::Not("a sum, an integral, a limit or the like")),
+            Tree::Operation(operation, _) => return self.operation(operation, upper, steps),
+        })
+    }
+
+    /// A function of a letter that is bound.
+    pub fn function(&self, of: &Tree, by: &Name, upper: Option<bool>, steps: &mut Steps) -> Text {
+        let letter = steps.bind(by);
+        let body = self.tree(of, upper, steps);
+        steps.unbind();
+        Ok(format!("(fun {letter} : R => {})", body?))
+    }
+
+    fn operation(&self, operation: &Operation, upper: Option<bool>, steps: &mut Steps) -> Text {
+        if !self.has_operations {
+            return Err(Unwritten::Not("a sum, an integral, a limit or the like"));
+        }
+        Ok(match operation {
+            Operation::Derivative { of, by, order, at } => {
+                let function = self.function(of, by, upper, steps)?;
+                let at = self.tree(at, upper, steps)?;
+                match order {
+                    0 => format!("({function} {at})"),
+                    1 => format!("(Derive {function} {at})"),
+                    _ => format!("(Derive_n {function} {order} {at})"),
+                }
+            }
+            Operation::Integral { of, by, limits } => {
+                let (low, high) = limits.as_ref().ok_or(Unwritten::Not("an indefinite integral"))?;
+                let ends = [self.tree(low, upper, steps)?, self.tree(high, upper, steps)?];
+                format!("(RInt {} {} : R)", self.function(of, by, upper, steps)?, ends.join(" "))
+            }
+            Operation::Series {
+                kind,
+                of,
+                index,
+                from,
+                to,
+            } => {
+                let ends = [self.tree(from, upper, steps)?, self.tree(to, upper, steps)?];
+                let name = match kind {
+                    Series::Sum => "rsum",
+                    Series::Product => "rprod",
+                };
+                format!("({name} {} {})", ends.join(" "), self.function(of, index, upper, steps)?)
+            }
+            Operation::Binomial(of, chosen) => {
+                let parts = [self.tree(of, upper, steps)?, self.tree(chosen, upper, steps)?];
+                format!("(binomial {})", parts.join(" "))
+            }
+            Operation::Infinity => return Err(Unwritten::Not("infinity within a formula")),
+            Operation::Limit { .. } => return Err(Unwritten::Not("a limit within a formula")),
+            Operation::Matrix(_)
+            | Operation::Determinant(_)
+            | Operation::Trace(_)
+            | Operation::Transpose(_)
+            | Operation::Cross(..)
+            | Operation::Dot(..) => return Err(Unwritten::Not("matrices")),
+            Operation::Order(..) | Operation::Approaches(_) | Operation::OneSided(..) => {
+                return Err(Unwritten::Not("an order or a side"));
+            }
+            Operation::Cases(_) => return Err(Unwritten::Not("values by cases")),
+            Operation::Root { .. } | Operation::Arguments(_) => {
+                return Err(Unwritten::Not("a root of symbolic index or a function of several arguments"));
+            }
         })
     }
 
@@ -135,6 +211,9 @@ impl<'a> Printer<'a> {
 
     fn name(&self, name: &Name, steps: &mut Steps) -> Text {
         let printed = name.to_string();
+        if let Some(bound) = steps.bound(&printed) {
+            return Ok(bound);
+        }
         let known = {
             let terms = steps.statement().terms();
             let all = (0..u32::try_from(terms.symbols()).unwrap_or(0)).map(Symbol);
@@ -166,6 +245,7 @@ impl<'a> Printer<'a> {
             r"\sinh" => "sinh",
             r"\cosh" => "cosh",
             r"\tanh" => "tanh",
+            r"\factorial" if self.has_operations => "factorial",
             _ => {
                 if let Some(definition) = Elementary::named(name).and_then(|function| function.definition(argument)) {
                     return self.tree(&definition, upper, steps);

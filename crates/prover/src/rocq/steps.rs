@@ -9,6 +9,7 @@ use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
+use texmath::Name;
 
 /// What a step rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,6 +43,8 @@ pub struct Steps<'a> {
     on: Grounds,
     /// The times over which derived laws run.
     times: BTreeMap<usize, Symbol>,
+    /// Letters that printed formulas bind, with the names that they have there, the innermost last.
+    bound: Vec<(String, String)>,
 }
 
 type Text = Result<String, Unwritten>;
@@ -66,7 +69,26 @@ impl<'a> Steps<'a> {
             whole: certificate.whole.iter().copied().collect(),
             on: Grounds::new(),
             times: BTreeMap::new(),
+            bound: Vec::new(),
         }
+    }
+
+    /// Binds a letter of a printed formula, under a name of its own.
+    pub fn bind(&mut self, letter: &Name) -> String {
+        let printed = letter.to_string();
+        let name = self.names.letter(&printed);
+        self.bound.push((printed, name.clone()));
+        name
+    }
+
+    pub fn unbind(&mut self) {
+        self.bound.pop();
+    }
+
+    /// The name of a letter that is bound.
+    pub fn bound(&self, printed: &str) -> Option<String> {
+        let mut known = self.bound.iter().rev();
+        known.find(|(letter, _)| letter == printed).map(|(_, name)| name.clone())
     }
 
     pub fn statement(&mut self) -> &mut Statement {
@@ -636,7 +658,11 @@ impl<'a> Steps<'a> {
             (false, Property::Positive) => format!("(Rgt_minus _ _ ({call}))"),
             (false, _) => format!("(Rge_minus _ _ ({call}))"),
         };
-        let _ = write!(text, "assert (B : {}) by exact {whole}.\n", property(shown, &own));
+        let own = property(shown, &own);
+        let _ = write!(
+            text,
+            "assert (B : {own}) by first [exact {whole} | generalize {whole}; lra].\n"
+        );
         text += &self.of_term(shown, term, "B")?;
         Ok(text)
     }

@@ -24,7 +24,7 @@ const TAKEN: &[&str] = &[
     "D", "E", "nat", "exp", "ln", "sin", "cos", "tan", "sqrt", "root", "rpow", "integer", "asin", "acos", "atan", "PI",
     "pow", "INR", "IZR", "Rabs", "term", "factor", "summand", "RInt", "Derive", "sum", "prod", "fst", "snd", "left",
     "right", "eq", "ex", "not", "or", "and", "plus", "minus", "mult", "div", "le", "lt", "ge", "gt", "id", "fact",
-    "max", "min", "cosh", "sinh", "tanh",
+    "max", "min", "cosh", "sinh", "tanh", "rsum", "rprod", "factorial", "binomial", "clamp", "Derive_n", "is_lim",
 ];
 
 /// Names of the symbols and functions of a statement, which nothing else in a file has.
@@ -32,6 +32,7 @@ const TAKEN: &[&str] = &[
 pub struct Names {
     symbols: BTreeMap<Symbol, String>,
     functions: BTreeMap<(u32, u32), String>,
+    letters: BTreeMap<String, String>,
     taken: BTreeSet<String>,
 }
 
@@ -60,7 +61,7 @@ impl Names {
     fn new_name(&mut self, printed: &str) -> String {
         let mut name = plain(printed);
         let is_ours = |name: &str| {
-            let rest = name.trim_start_matches(|c: char| "gFGHABCDLMPTXZ".contains(c));
+            let rest = name.trim_start_matches(|c: char| "gEFGHABCDLMPTXZ".contains(c));
             rest.len() + 1 == name.len() && rest.chars().all(|c| c.is_ascii_digit()) && !rest.is_empty()
         };
         while TAKEN.contains(&name.as_str()) || is_ours(&name) || self.taken.contains(&name) {
@@ -76,6 +77,16 @@ impl Names {
         }
         let name = self.new_name(statement.terms().symbol_name(symbol));
         self.symbols.insert(symbol, name.clone());
+        name
+    }
+
+    /// A name for a letter that is bound, the same each time.
+    pub fn letter(&mut self, printed: &str) -> String {
+        if let Some(known) = self.letters.get(printed) {
+            return known.clone();
+        }
+        let name = self.new_name(printed);
+        self.letters.insert(printed.to_owned(), name.clone());
         name
     }
 
