@@ -11,7 +11,7 @@ use claims::{Sheet, Statements};
 use kernel::{
     At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Statement, Symbol, Term, With, Witness,
 };
-use operations::Printed;
+use operations::{Induction, Printed};
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -53,8 +53,26 @@ pub fn files(sheet: &Sheet, position: usize, options: &Options) -> Vec<Result<St
 /// The file about a claim with operations.
 fn whole(statements: &Statements, symbols: &Symbols, decided: &[Decided]) -> Result<String, Unwritten> {
     let equation = operations::equation(statements)?;
+    if let Some(induction) = Induction::of(decided) {
+        let first = decided.first().map(head).unwrap_or_default();
+        return Ok(first + REQUIRED + &induction.theorem(equation, &statements.assume)?);
+    }
     let printed = Printed { equation, symbols };
     written(operations::main_goal(decided)?, Some(printed))
+}
+
+/// What a file starts with.
+const REQUIRED: &str =
+    "Require Import VibroClaims.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n\n";
+
+/// The first line of a file.
+fn head(decided: &Decided) -> String {
+    format!(
+        "(* ({}), {}: {} *)\n",
+        comment(&decided.label),
+        verdict(decided),
+        comment(&decided.printed)
+    )
 }
 
 /// The file for a question with what decides it.
@@ -86,14 +104,7 @@ fn written(decided: &Decided, printed: Option<Printed>) -> Result<String, Unwrit
             Theorem::of(decided, None, &mut steps)?.refuted(&mut steps, witness)?
         }
     };
-    let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "(* ({}), {}: {} *)",
-        comment(&decided.label),
-        verdict(decided),
-        comment(&decided.printed)
-    );
+    let mut text = head(decided);
     let rules: Vec<String> = decided.goal.statements.rules.iter().map(ToString::to_string).collect();
     if !rules.is_empty() && printed.is_none() {
         let _ = writeln!(
@@ -102,11 +113,7 @@ fn written(decided: &Decided, printed: Option<Printed>) -> Result<String, Unwrit
             comment(&rules.join("; "))
         );
     }
-    let _ = writeln!(
-        text,
-        "Require Import VibroClaims.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n"
-    );
-    Ok(text + &body)
+    Ok(text + REQUIRED + &body)
 }
 
 fn verdict(decided: &Decided) -> &'static str {

@@ -144,6 +144,14 @@ impl<'a> Printer<'a> {
         Ok(format!("(fun {letter} : R => {})", body?))
     }
 
+    /// A tree with a text in the place of a letter.
+    pub fn at(&self, tree: &Tree, letter: &Name, text: &str, steps: &mut Steps) -> Text {
+        steps.put(letter, text);
+        let text = self.tree(tree, None, steps);
+        steps.unbind();
+        text
+    }
+
     fn operation(&self, operation: &Operation, upper: Option<bool>, steps: &mut Steps) -> Text {
         if !self.has_operations {
             return Err(Unwritten::Not("a sum, an integral, a limit or the like"));

@@ -81,6 +81,11 @@ impl<'a> Steps<'a> {
         name
     }
 
+    /// Puts a text in the place of a letter of a printed formula.
+    pub fn put(&mut self, letter: &Name, text: &str) {
+        self.bound.push((letter.to_string(), text.to_owned()));
+    }
+
     pub fn unbind(&mut self) {
         self.bound.pop();
     }
@@ -947,7 +952,7 @@ fn relation(shown: Property, printed: &str, proof: &str, row: &AxiomRow) -> Stri
         Property::Zero => match natural {
             Some(letter) if printed.ends_with(&format!("= {letter}")) => format!("(is_INR _ _ {equal})"),
             Some(letter) if printed.ends_with(&format!("= -{letter}")) => format!("(is_negative_INR _ _ {equal})"),
-            _ => equal,
+            _ => format!("ltac:(first [exact {equal} | lra])"),
         },
         Property::Nonzero => format!("(Rminus_not_eq _ _ {proof})"),
         Property::Positive => format!("(Rminus_gt _ _ {proof})"),
