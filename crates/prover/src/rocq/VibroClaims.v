@@ -111,26 +111,6 @@ Ltac angles :=
   | |- context [acos ?x] => rewrite (acos_as_asin x)
   end.
 
-Ltac conclude_claim W :=
-  cbv beta;
-  first
-  [ conclude W
-  | lazymatch type of W with
-    | _ = 0 => first [apply (equal_from _ _ _ W) | apply (equal_from_opposite _ _ _ W)]
-    | _ <> 0 => apply (different_from _ _ _ W)
-    | _ > 0 => first [apply (greater_from _ _ _ W) | apply (less_from _ _ _ W)]
-    | _ >= 0 => first [apply (at_least_from _ _ _ W) | apply (at_most_from _ _ _ W)]
-    end; solve [same_value]
-  | apply (equal_from_opposite _ _ _ W); solve [same_value]
-  | well_known_values;
-    first
-    [ lazymatch type of W with
-      | _ = 0 => first [apply (equal_from _ _ _ W) | apply (equal_from_opposite _ _ _ W)]
-      end; solve [well_known_values; same_value | well_known_values; angles; same_value]
-    | solve [equal_at_point]
-    | solve [same_value]
-    | angles; first [solve [equal_at_point] | solve [same_value]] ] ].
-
 (* Functions of multiples and sums of angles in functions of the angles. *)
 Ltac double_angles :=
   repeat match goal with
@@ -180,14 +160,53 @@ Ltac multiple_angles :=
 Ltac integrate_now F := integrate F; first [same_value | multiple_angles].
 
 Ltac integrate_by F :=
+  unfold sinh, cosh, tanh;
   first
   [ solve [integrate_now F]
   | lazymatch goal with
     | |- RInt _ ?a ?b = _ => destruct (Rle_lt_dec a b); solve [integrate_now F]
     end ].
 
+Ltac conclude_claim W :=
+  cbv beta;
+  first
+  [ conclude W
+  | lazymatch type of W with
+    | _ = 0 => first [apply (equal_from _ _ _ W) | apply (equal_from_opposite _ _ _ W)]
+    | _ <> 0 => apply (different_from _ _ _ W)
+    | _ > 0 => first [apply (greater_from _ _ _ W) | apply (less_from _ _ _ W)]
+    | _ >= 0 => first [apply (at_least_from _ _ _ W) | apply (at_most_from _ _ _ W)]
+    end; solve [same_value]
+  | apply (equal_from_opposite _ _ _ W); solve [same_value]
+  | well_known_values;
+    first
+    [ lazymatch type of W with
+      | _ = 0 => first [apply (equal_from _ _ _ W) | apply (equal_from_opposite _ _ _ W)]
+      end; solve [well_known_values; same_value | well_known_values; angles; same_value | numerals; integer_powers; multiple_angles]
+    | solve [equal_at_point]
+    | solve [same_value]
+    | angles; first [solve [equal_at_point] | solve [same_value]] ] ].
+
+(* What is under a root that is not 0 is positive. *)
+Lemma under_root : forall x : R, sqrt x <> 0 -> 0 < x.
+Proof. intros x H. destruct (Rlt_dec 0 x) as [P | P]; [exact P |]. exfalso. apply H, sqrt_neg_0. lra. Qed.
+
+Lemma under_root_positive : forall x : R, sqrt x > 0 -> 0 < x.
+Proof. intros x H. apply under_root. lra. Qed.
+
+Lemma right_factor : forall a b : R, a * b <> 0 -> b <> 0.
+Proof. intros a b H E. apply H. rewrite E. ring. Qed.
+
+Ltac roots_known :=
+  repeat match goal with
+  | H : _ * sqrt ?x <> 0 |- _ => apply right_factor in H
+  | H : sqrt ?x <> 0 |- _ =>
+    lazymatch goal with K : 0 < x |- _ => fail | _ => pose proof (under_root x H) end
+  end.
+
 (* Derivatives by the rules, their values left to be found. *)
 Ltac by_rules :=
+  roots_known;
   repeat match goal with H : forall T, is_derive ?f T (?g T) |- context [?f ?t] =>
     lazymatch goal with
     | K : is_derive f t (g t) |- _ => fail
@@ -197,8 +216,8 @@ Ltac by_rules :=
   repeat lazymatch goal with |- is_derive _ _ _ => derive_node end; side_condition.
 
 Ltac value_of_derivative E f x :=
-  eassert (E : is_derive f x _) by by_rules;
-  apply is_derive_unique in E.
+  eassert (E : Derive f x = _) by (apply is_derive_unique; unfold sinh, cosh, tanh; by_rules);
+  cbv beta in E; cbn [Nat.pred] in E.
 
 Lemma Derive_n_next : forall (f g : R -> R) (n : nat) (x l : R),
   locally x (fun t => is_derive f t (g t)) -> Derive_n g n x = l -> Derive_n f (S n) x = l.
@@ -243,7 +262,8 @@ with by_rules_at :=
 Ltac higher_derivative E f n x :=
   eassert (E : Derive_n f n x = _) by
     (repeat (lazymatch goal with |- Derive_n _ 1 _ = _ => fail | _ => eapply Derive_n_next; [near x | cbv beta] end);
-     apply Derive_n_last; by_rules).
+     apply Derive_n_last; by_rules);
+  cbv beta in E; cbn [Nat.pred] in E.
 
 (* Powers with integer exponents, from one to the next. *)
 Lemma rpow_next : forall x n : R, integer n -> 0 <= n -> rpow x (n + 1) = rpow x n * x.
@@ -258,7 +278,25 @@ Proof.
   now rewrite (rpow_IZR x 1), powerRZ_1.
 Qed.
 
+Lemma rpow_more : forall (x n : R) (k : nat), integer n -> 0 <= n -> rpow x (n + INR k) = rpow x n * x ^ k.
+Proof.
+  intros x n k N L.
+  rewrite (PowerOfSum x (n + INR k) n (INR k) eq_refl N (integer_INR k)); [| lra | apply Rle_ge, pos_INR].
+  now rewrite rpow_INR.
+Qed.
+
+Lemma rpow_more_nonzero : forall (x n : R) (k : nat), integer n -> x <> 0 -> rpow x (n + INR k) = rpow x n * x ^ k.
+Proof.
+  intros x n k N X.
+  rewrite (NonzeroPowerOfSum x (n + INR k) n (INR k) eq_refl N (integer_INR k) X).
+  now rewrite rpow_INR.
+Qed.
+
 Ltac is_nonzero := first [assumption | lra | nonzero | side_condition].
+
+Ltac power_more x y n k :=
+  replace (rpow x y) with (rpow x n * x ^ k) by
+    (symmetry; replace y with (n + INR k) by (simpl INR; ring); first [apply rpow_more; [assumption | lra] | apply rpow_more_nonzero; [assumption | is_nonzero]]).
 
 (* The exponents that differ from a letter by a number become the letter. *)
 Ltac power_at n :=
@@ -268,7 +306,9 @@ Ltac power_at n :=
     first
     [ replace (rpow x y) with (rpow x n) by (f_equal; ring)
     | replace (rpow x y) with (rpow x n * x) by (symmetry; replace y with (n + 1) by ring; first [apply rpow_next; [assumption | lra] | apply rpow_next_nonzero; [assumption | is_nonzero]])
-    | replace (rpow x y) with (rpow x n * x * x) by (symmetry; replace y with (n + 1 + 1) by ring; first [rewrite !rpow_next; [reflexivity | is_integer | lra | is_integer | lra] | rewrite !rpow_next_nonzero; [reflexivity | is_integer | is_nonzero | is_integer | is_nonzero]])
+    | power_more x y n 2%nat
+    | power_more x y n 3%nat
+    | power_more x y n 4%nat
     | replace (rpow x y) with (rpow x n / x) by
         (replace n with (y + 1) at 1 by ring;
          first [rewrite rpow_next_nonzero; [field; is_nonzero | is_integer | is_nonzero] | rewrite rpow_next; [field; is_nonzero | is_integer | lra]]) ]
@@ -303,9 +343,9 @@ Ltac factorial_at n :=
   | |- context [factorial ?y] =>
     lazymatch y with n => fail | IZR _ => fail | _ => idtac end;
     first
-    [ replace (factorial y) with ((n + 1) * factorial n) by (symmetry; replace y with (n + 1) by ring; apply factorial_next; [is_integer | lra])
+    [ replace (factorial y) with ((n + 1) * factorial n) by (symmetry; replace y with (n + 1) by ring; apply factorial_next; [solve [is_integer] | lra])
     | replace (factorial y) with ((n + 1 + 1) * ((n + 1) * factorial n)) by
-        (symmetry; replace y with (n + 1 + 1) by ring; rewrite !factorial_next by (first [is_integer | lra]); reflexivity) ]
+        (symmetry; replace y with (n + 1 + 1) by ring; rewrite !factorial_next by (first [solve [is_integer] | lra]); reflexivity) ]
   end;
   generalize (factorial_positive n).
 

@@ -297,12 +297,12 @@ impl Printed<'_> {
                     match order {
                         0 => {}
                         1 => {
-                            let _ = writeln!(text, "value_of_derivative E{number} {function} {at}.");
-                            let _ = writeln!(text, "rewrite E{number}; clear E{number}.");
+                            let _ = writeln!(text, "value_of_derivative Q{number} {function} {at}.");
+                            let _ = writeln!(text, "rewrite Q{number}; clear Q{number}.");
                         }
                         _ => {
-                            let _ = writeln!(text, "higher_derivative E{number} {function} {order} {at}.");
-                            let _ = writeln!(text, "rewrite E{number}; clear E{number}.");
+                            let _ = writeln!(text, "higher_derivative Q{number} {function} {order}%nat {at}.");
+                            let _ = writeln!(text, "rewrite Q{number}; clear Q{number}.");
                         }
                     }
                 }
@@ -327,8 +327,8 @@ impl Printed<'_> {
                     let [low, high] = [from, to].map(|end| printer.tree(end, None, steps));
                     let _ = writeln!(
                         text,
-                        "assert (E{number} : {says} = {function} ({} + 1) - {function} {}) by sum_by {function}.\n\
-                         cbv beta in E{number}; rewrite E{number}; clear E{number}.",
+                        "assert (Q{number} : {says} = {function} ({} + 1) - {function} {}) by sum_by {function}.\n\
+                         cbv beta in Q{number}; rewrite Q{number}; clear Q{number}.",
                         high?, low?
                     );
                 }
@@ -363,11 +363,11 @@ impl Printed<'_> {
         for way in &ways {
             let function = printer.function(way, by, None, steps)?;
             lines.push(format!(
-                "assert (E{number} : {says} = {function} {high} - {function} {low}) by (integrate_by {function})"
+                "assert (Q{number} : {says} = {function} {high} - {function} {low}) by (integrate_by {function})"
             ));
         }
         Ok(format!(
-            "first\n[ {} ].\ncbv beta in E{number}; rewrite E{number}; clear E{number}.\n",
+            "first\n[ {} ].\ncbv beta in Q{number}; rewrite Q{number}; clear Q{number}.\n",
             lines.join("\n| ")
         ))
     }

@@ -302,7 +302,8 @@ impl<'a> Steps<'a> {
         }
         if self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
-            return Ok(format!("change ({}); enclose", property(shown, &full)));
+            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
             return self.integer(&polynomial);
@@ -363,7 +364,8 @@ impl<'a> Steps<'a> {
         }
         if self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
-            return Ok(format!("change ({}); enclose", property(shown, &full)));
+            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
             return self.integer(polynomial);
