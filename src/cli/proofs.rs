@@ -81,8 +81,16 @@ impl ProofForm {
                 },
             },
             Self::Rocq => {
-                let (files, missing) = rocq::files(sheet, position, options);
-                let missing = missing.iter().map(ToString::to_string).collect();
+                let (mut files, mut missing) = (Vec::new(), BTreeSet::new());
+                for file in rocq::files(sheet, position, options) {
+                    match file {
+                        Ok(text) => files.push(text),
+                        Err(unwritten) => {
+                            missing.insert(unwritten.to_string());
+                        }
+                    }
+                }
+                let missing = missing.into_iter().collect();
                 Written { files, missing }
             }
         }

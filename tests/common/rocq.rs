@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use vibro_audit::prove::rocq::LIBRARY;
 
 /// What each text rests on.
-const HEAD: &str = "Require Import VibroRules.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n\
+const HEAD: &str = "Require Import VibroClaims.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n\
                     Set Default Timeout 100.\n";
 
 /// The folder of the compiled library; none, and a word, where there is no Rocq.

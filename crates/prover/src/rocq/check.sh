@@ -2,7 +2,7 @@
 # Checks the theorems of this directory with Rocq (Debian: apt-get install coq libcoq-coquelicot libcoq-interval).
 # Prints the axioms that each rests on, which are those of the real numbers alone, and at the end how many are accepted.
 cd "$(dirname "$0")" || exit 2
-for library in VibroAxioms VibroOperations VibroRules; do
+for library in VibroAxioms VibroOperations VibroRules VibroClaims; do
     [ -f $library.vo ] || coqc -q $library.v >$library.log 2>&1 || { cat $library.log; exit 2; }
 done
 accepted=0 refused=0

@@ -1,50 +1,36 @@
 //! Proofs and counterexamples as files for Rocq: the theorem is the printed formula, its proof the steps that the kernel accepted.
 
+mod operations;
 mod printed;
 mod steps;
 mod text;
 
 use super::script::{Decided, Found};
-use super::{Options, decided};
-use claims::Sheet;
+use super::{Decision, Options, decided};
+use claims::{Sheet, Statements};
 use kernel::{
     At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness,
 };
+use operations::{Induction, Printed};
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use steps::{Before, Ground, Steps};
+use texmath::Symbols;
 pub use text::Unwritten;
 use text::property;
 
 /// The library that each file requires, in the order in which its files are compiled: the axioms of the kernel, what holds of
-/// sums, integrals and limits, and the rules of its steps, all as lemmas.
-pub const LIBRARY: [(&str, &str); 3] = [
+/// sums, integrals and limits, the rules of its steps, and those of claims with operations, all as lemmas.
+pub const LIBRARY: [(&str, &str); 4] = [
     ("VibroAxioms.v", include_str!("VibroAxioms.v")),
     ("VibroOperations.v", include_str!("VibroOperations.v")),
     ("VibroRules.v", include_str!("VibroRules.v")),
+    ("VibroClaims.v", include_str!("VibroClaims.v")),
 ];
 
 /// The program that checks all files of a directory.
 pub const CHECK: &str = include_str!("check.sh");
-
-/// The files about the claim at a position, one for each question that decides it, and why others are not written.
-pub fn files(sheet: &Sheet, position: usize, options: &Options) -> (Vec<String>, BTreeSet<Unwritten>) {
-    let (mut files, mut missing) = (Vec::new(), BTreeSet::new());
-    let decided = decided(sheet, position, options);
-    if decided.is_empty() {
-        missing.insert(Unwritten::Not("letters that need not commute"));
-    }
-    for one in &decided {
-        match file(one) {
-            Ok(text) => files.push(text),
-            Err(unwritten) => {
-                missing.insert(unwritten);
-            }
-        }
-    }
-    (files, missing)
-}
 
 /// A text within a comment of Rocq, which may hold neither its signs nor a lone quotation mark.
 fn comment(text: &str) -> String {
@@ -52,11 +38,61 @@ fn comment(text: &str) -> String {
     text.replace("(*", "( *").replace("*)", "* )").replace('"', "''")
 }
 
+/// The files about the claim at a position, and why something is not written: one file for each question that decides it, or one about
+/// the printed formula where that holds a sum, an integral or the like and is proved.
+pub fn files(sheet: &Sheet, position: usize, options: &Options) -> Vec<Result<String, Unwritten>> {
+    let decided = decided(sheet, position, options);
+    if decided.is_empty() {
+        return vec![Err(Unwritten::Not("letters that need not commute"))];
+    }
+    let is_proved = |one: &Decided| matches!(one.found, Found::Proved { .. });
+    let statements = Decision::without_search(sheet, position).ok();
+    let has_operations = |statements: &Statements| statements.claims.iter().any(operations::has_operations);
+    let whole = match statements.filter(has_operations) {
+        Some(statements) if decided.iter().all(is_proved) => Some(whole(&statements, &sheet.symbols, &decided)),
+        _ => None,
+    };
+    // the questions themselves are better than nothing
+    let is_written = whole.as_ref().is_some_and(Result::is_ok);
+    let goals = decided.iter().filter(|_| !is_written).map(file);
+    whole.into_iter().chain(goals).collect()
+}
+
+/// The file about a claim with operations.
+fn whole(statements: &Statements, symbols: &Symbols, decided: &[Decided]) -> Result<String, Unwritten> {
+    let equation = operations::equation(statements)?;
+    if let Some(induction) = Induction::of(decided) {
+        let first = decided.first().map(head).unwrap_or_default();
+        return Ok(first + REQUIRED + &induction.theorem(equation, &statements.assume)?);
+    }
+    let printed = Printed { equation, symbols };
+    written(operations::main_goal(decided)?, Some(printed))
+}
+
+/// What a file starts with.
+const REQUIRED: &str =
+    "Require Import VibroClaims.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n\n";
+
+/// The first line of a file.
+fn head(decided: &Decided) -> String {
+    format!(
+        "(* ({}), {}: {} *)\n",
+        comment(&decided.label),
+        verdict(decided),
+        comment(&decided.printed)
+    )
+}
+
 /// The file for a question with what decides it.
 ///
 /// # Errors
 /// [`Unwritten`], which names the first thing that is not written for Rocq.
 pub fn file(decided: &Decided) -> Result<String, Unwritten> {
+    written(decided, None)
+}
+
+/// The file for a question, or for the printed claim that it decides.
+fn written(decided: &Decided, printed: Option<Printed>) -> Result<String, Unwritten> {
     if decided.question.statement.is_complex() {
         return Err(Unwritten::Not("complex numbers"));
     }
@@ -64,7 +100,8 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
         Found::Proved { certificate, point } => {
             let mut own = certificate.statement.clone();
             let mut steps = Steps::new(&mut own, &certificate.evidence);
-            Theorem::of(decided, &mut steps)?.proved(decided, &mut steps, &certificate.evidence.steps, point)?
+            let theorem = Theorem::of(decided, printed, &mut steps)?;
+            theorem.proved(decided, &mut steps, &certificate.evidence.steps, point)?
         }
         Found::Refuted { witness } => {
             let statement = &decided.question.statement;
@@ -79,30 +116,19 @@ pub fn file(decided: &Decided) -> Result<String, Unwritten> {
             }
             let mut own = witness.statement.clone();
             let mut steps = Steps::new(&mut own, &Certificate::default());
-            Theorem::of(decided, &mut steps)?.refuted(&mut steps, witness)?
+            Theorem::of(decided, None, &mut steps)?.refuted(&mut steps, witness)?
         }
     };
-    let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "(* ({}), {}: {} *)",
-        comment(&decided.label),
-        verdict(decided),
-        comment(&decided.printed)
-    );
+    let mut text = head(decided);
     let rules: Vec<String> = decided.goal.statements.rules.iter().map(ToString::to_string).collect();
-    if !rules.is_empty() {
+    if !rules.is_empty() && printed.is_none() {
         let _ = writeln!(
             text,
             "(* reduced by rules that are trusted: {} *)",
             comment(&rules.join("; "))
         );
     }
-    let _ = writeln!(
-        text,
-        "Require Import VibroRules.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n"
-    );
-    Ok(text + &body)
+    Ok(text + REQUIRED + &body)
 }
 
 fn verdict(decided: &Decided) -> &'static str {
@@ -129,10 +155,21 @@ struct Theorem {
     bridges: Vec<String>,
     /// The functions that maps are, each with how many quantities the map starts from.
     maps: Vec<(String, usize)>,
+    /// What replaces the operations of the claim by their values, where it is one that holds such.
+    values: Option<String>,
+    /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
+    is_whole: bool,
+}
+
+/// Returns true if a term is a number.
+fn is_closed(statement: &Statement, term: Term) -> bool {
+    let terms = statement.terms();
+    let is_free = |inner: Term| matches!(terms.node(inner), Node::Symbol(_) | Node::Value(..));
+    !terms.inside(term).into_iter().any(is_free)
 }
 
 impl Theorem {
-    fn of(decided: &Decided, steps: &mut Steps) -> Result<Self, Unwritten> {
+    fn of(decided: &Decided, whole: Option<Printed>, steps: &mut Steps) -> Result<Self, Unwritten> {
         let statements = &decided.goal.statements;
         let mut own = Self {
             hypotheses: Vec::new(),
@@ -140,6 +177,8 @@ impl Theorem {
             claim_comment: comment(&decided.question.equation.to_string()),
             bridges: Vec::new(),
             maps: Vec::new(),
+            values: None,
+            is_whole: whole.is_some(),
         };
         let printer = Printer::new(decided);
         let definitions: Vec<_> = steps.statement().definitions().iter().map(|(s, t)| (*s, *t)).collect();
@@ -171,7 +210,14 @@ impl Theorem {
                 None => own.given(number, given, None, &[], steps)?,
             }
         }
-        own.claim = printer.claim(steps)?;
+        own.claim = match whole {
+            None => printer.claim(steps)?,
+            Some(printed) => {
+                own.claim_comment = comment(&printed.equation.to_string());
+                own.values = Some(printed.values(decided, steps)?);
+                Printer::of_operations(decided).relation(printed.equation, None, steps)?
+            }
+        };
         Ok(own)
     }
 
@@ -242,7 +288,11 @@ impl Theorem {
             return Ok(());
         }
         let Some((printed, why)) = printed else {
-            self.push(name, before.all(&says), comment(&given.origin.to_string()));
+            let is_bare = before.conditions.is_empty() && before.time.is_none();
+            match self.is_whole && is_bare && is_closed(steps.statement(), given.term) {
+                true => self.bridges.push(format!("assert ({name} : {says}) by at_point.")),
+                false => self.push(name, before.all(&says), comment(&given.origin.to_string())),
+            }
             return Ok(());
         };
         let hypothesis = format!("P{}", self.hypotheses.len());
@@ -395,6 +445,7 @@ impl Theorem {
         point: &With<Witness>,
     ) -> Result<String, Unwritten> {
         let goals: Vec<(Property, Term)> = decided.question.statement.goal().to_vec();
+        let is_whole = self.is_whole;
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
             let mut end = String::new();
             for (place, &(shown, term)) in goals.iter().enumerate() {
@@ -402,7 +453,8 @@ impl Theorem {
                 let by = steps.shown(shown, term)?;
                 let _ = writeln!(end, "assert (B{place} : {}).\n{{ {by}. }}", property(shown, &short));
                 let _ = writeln!(end, "change ({}) in B{place}.", property(shown, &full));
-                let _ = writeln!(end, "conclude B{place}.");
+                let conclude = if is_whole { "conclude_claim" } else { "conclude" };
+                let _ = writeln!(end, "{conclude} B{place}.");
             }
             Ok(end)
         })?;
@@ -441,7 +493,8 @@ impl Theorem {
         }
         named.extend(steps.named_here());
         let named = steps.named(&named)? + &changes;
-        self.of_names_in(&[&script, &named], steps);
+        let values = self.values.take().unwrap_or_default();
+        self.of_names_in(&[&script, &named, &values], steps);
         let mut text = format!("Theorem holds :\n{}.\nProof.\n", self.stated(steps));
         let names: Vec<&str> = self.hypotheses.iter().map(|own| own.name.as_str()).collect();
         for introduced in [
@@ -459,6 +512,7 @@ impl Theorem {
         if !printed.is_empty() {
             let _ = writeln!(text, "clear {}.", printed.join(" "));
         }
+        text += &values;
         text += &named;
         text += &script;
         text += "Qed.\n\nPrint Assumptions holds.\n";

@@ -6,12 +6,16 @@ use crate::formula::{Formulas, Meaning, Unknown, Within};
 use crate::script::Decided;
 use claims::Premise;
 use kernel::{Function, FunctionOf, Quantity, Symbol};
-use texmath::{Condition, Elementary, Equation, Invariant, Map, Name, Relation, Tree, pair_of};
+use texmath::{
+    Condition, Elementary, Equation, Invariant, Map, Name, Operation, Relation, Series, Tree, pair_of,
+};
 
 /// The writer of the formulas of one question.
 pub struct Printer<'a> {
     decided: &'a Decided,
     formulas: Formulas<'a>,
+    /// Whether sums, integrals and the like are written.
+    has_operations: bool,
 }
 
 /// A formula that is written: what its names mean, and which sign `\pm` is.
@@ -20,6 +24,7 @@ struct Reading<'a> {
     within: Within<'a>,
     upper: Option<bool>,
     decided: &'a Decided,
+    has_operations: bool,
 }
 
 type Text = Result<String, Unwritten>;
@@ -29,6 +34,15 @@ impl<'a> Printer<'a> {
         Self {
             decided,
             formulas: Formulas::new(&decided.goal.statements, &decided.goal.symbols, &decided.question),
+            has_operations: false,
+        }
+    }
+
+    /// One that writes sums, integrals and the like, too.
+    pub fn of_operations(decided: &'a Decided) -> Self {
+        Self {
+            has_operations: true,
+            ..Self::new(decided)
         }
     }
 
@@ -37,6 +51,7 @@ impl<'a> Printer<'a> {
             within,
             upper: None,
             decided: self.decided,
+            has_operations: self.has_operations,
         }
     }
 
@@ -96,6 +111,36 @@ impl<'a> Printer<'a> {
             [says] => Ok(format!("let {symbol} := {value} in {says}")),
             _ => Err(Unwritten::Not("a pair of solutions of several equations")),
         }
+    }
+}
+
+impl Printer<'_> {
+    fn of_claim(&self, upper: Option<bool>) -> Reading<'_> {
+        Reading {
+            upper,
+            ..self.reading(self.formulas.of_claim(&self.decided.question.equation))
+        }
+    }
+
+    pub fn relation(&self, equation: &Equation, upper: Option<bool>, steps: &mut Steps) -> Text {
+        self.of_claim(upper).relation(equation, steps)
+    }
+
+    pub fn tree(&self, tree: &Tree, upper: Option<bool>, steps: &mut Steps) -> Text {
+        self.of_claim(upper).tree(tree, steps)
+    }
+
+    /// A function of a letter that is bound.
+    pub fn function(&self, of: &Tree, by: &Name, upper: Option<bool>, steps: &mut Steps) -> Text {
+        self.of_claim(upper).function(of, by, steps)
+    }
+
+    /// A tree with a text in the place of a letter.
+    pub fn at(&self, tree: &Tree, letter: &Name, text: &str, steps: &mut Steps) -> Text {
+        steps.put(letter, text);
+        let text = self.tree(tree, None, steps);
+        steps.unbind();
+        text
     }
 }
 
@@ -161,11 +206,76 @@ impl Reading<'_> {
             Tree::Call(name, argument, _) => return self.call(name, argument, steps),
             Tree::Partial { of, by, .. } => return self.partial(of, by, steps),
             Tree::Invariant { kind, of, .. } => return self.invariant(*kind, of, steps),
-            Tree::Operation(..) => return Err(Unwritten::Not("a sum, an integral, a limit or the like")),
+            Tree::Operation(operation, _) => return self.operation(operation, steps),
+        })
+    }
+
+    fn function(&self, of: &Tree, by: &Name, steps: &mut Steps) -> Text {
+        let letter = steps.bind(by);
+        let body = self.tree(of, steps);
+        steps.unbind();
+        Ok(format!("(fun {letter} : R => {})", body?))
+    }
+
+    fn operation(&self, operation: &Operation, steps: &mut Steps) -> Text {
+        if !self.has_operations {
+            return Err(Unwritten::Not("a sum, an integral, a limit or the like"));
+        }
+        Ok(match operation {
+            Operation::Derivative { of, by, order, at } => {
+                let function = self.function(of, by, steps)?;
+                let at = self.tree(at, steps)?;
+                match order {
+                    0 => format!("({function} {at})"),
+                    1 => format!("(Derive {function} {at})"),
+                    _ => format!("(Derive_n {function} {order} {at})"),
+                }
+            }
+            Operation::Integral { of, by, limits } => {
+                let (low, high) = limits.as_ref().ok_or(Unwritten::Not("an indefinite integral"))?;
+                let ends = [self.tree(low, steps)?, self.tree(high, steps)?];
+                format!("(RInt {} {} : R)", self.function(of, by, steps)?, ends.join(" "))
+            }
+            Operation::Series {
+                kind,
+                of,
+                index,
+                from,
+                to,
+            } => {
+                let ends = [self.tree(from, steps)?, self.tree(to, steps)?];
+                let name = match kind {
+                    Series::Sum => "rsum",
+                    Series::Product => "rprod",
+                };
+                format!("({name} {} {})", ends.join(" "), self.function(of, index, steps)?)
+            }
+            Operation::Binomial(of, chosen) => {
+                let parts = [self.tree(of, steps)?, self.tree(chosen, steps)?];
+                format!("(binomial {})", parts.join(" "))
+            }
+            Operation::Infinity => return Err(Unwritten::Not("infinity within a formula")),
+            Operation::Limit { .. } => return Err(Unwritten::Not("a limit within a formula")),
+            Operation::Matrix(_)
+            | Operation::Determinant(_)
+            | Operation::Trace(_)
+            | Operation::Transpose(_)
+            | Operation::Cross(..)
+            | Operation::Dot(..) => return Err(Unwritten::Not("matrices")),
+            Operation::Order(..) | Operation::Approaches(_) | Operation::OneSided(..) => {
+                return Err(Unwritten::Not("an order or a side"));
+            }
+            Operation::Cases(_) => return Err(Unwritten::Not("values by cases")),
+            Operation::Root { .. } | Operation::Arguments(_) => {
+                return Err(Unwritten::Not("a root of symbolic index or a function of several arguments"));
+            }
         })
     }
 
     fn name(&self, name: &Name, steps: &mut Steps) -> Text {
+        if let Some(bound) = steps.bound(&name.to_string()) {
+            return Ok(bound);
+        }
         match self.within.meaning(name) {
             Meaning::Symbol(printed) => symbol(&printed, steps),
             Meaning::Unknown(unknown) => {
@@ -269,6 +379,7 @@ impl Reading<'_> {
             r"\sinh" => "sinh",
             r"\cosh" => "cosh",
             r"\tanh" => "tanh",
+            r"\factorial" if self.has_operations => "factorial",
             _ => {
                 if let Some(definition) = Elementary::named(name).and_then(|function| function.definition(argument)) {
                     return self.tree(&definition, steps);

@@ -9,6 +9,7 @@ use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
+use texmath::Name;
 
 /// What a step rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,6 +51,8 @@ pub struct Steps<'a> {
     pub flights: BTreeSet<i32>,
     /// How many times have been bound.
     bound: usize,
+    /// Letters that printed formulas bind, with the names that they have there, the innermost last.
+    letters: Vec<(String, String)>,
 }
 
 /// What stands before a law: the time over which it runs, the flight that it is in, and its conditions.
@@ -122,7 +125,31 @@ impl<'a> Steps<'a> {
             times: BTreeMap::new(),
             flights: BTreeSet::new(),
             bound: 0,
+            letters: Vec::new(),
         }
+    }
+
+    /// Binds a letter of a printed formula, under a name of its own.
+    pub fn bind(&mut self, letter: &Name) -> String {
+        let printed = letter.to_string();
+        let name = self.names.letter(&printed);
+        self.letters.push((printed, name.clone()));
+        name
+    }
+
+    /// Puts a text in the place of a letter of a printed formula.
+    pub fn put(&mut self, letter: &Name, text: &str) {
+        self.letters.push((letter.to_string(), text.to_owned()));
+    }
+
+    pub fn unbind(&mut self) {
+        self.letters.pop();
+    }
+
+    /// The name of a letter that is bound.
+    pub fn bound(&self, printed: &str) -> Option<String> {
+        let mut known = self.letters.iter().rev();
+        known.find(|(letter, _)| letter == printed).map(|(_, name)| name.clone())
     }
 
     pub fn statement(&mut self) -> &mut Statement {
@@ -247,7 +274,7 @@ impl<'a> Steps<'a> {
     }
 
     /// A name for a time that is bound, which the symbol has until it is given back.
-    fn bind(&mut self, time: Symbol) -> (String, Option<String>) {
+    fn bind_time(&mut self, time: Symbol) -> (String, Option<String>) {
         self.bound += 1;
         let name = format!("U{}", self.bound);
         (name.clone(), self.names.put(time, Some(name)))
@@ -444,7 +471,8 @@ impl<'a> Steps<'a> {
         }
         if shown != Property::Integer && self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
-            return Ok(format!("change ({}); enclose", property(shown, &full)));
+            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
             return self.integer(&polynomial);
@@ -509,7 +537,8 @@ impl<'a> Steps<'a> {
         }
         if shown != Property::Integer && self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
-            return Ok(format!("change ({}); enclose", property(shown, &full)));
+            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
             return self.integer(polynomial);
@@ -818,7 +847,11 @@ impl<'a> Steps<'a> {
             (false, Property::Positive) => format!("(Rgt_minus _ _ ({call}))"),
             (false, _) => format!("(Rge_minus _ _ ({call}))"),
         };
-        let _ = write!(text, "assert (B : {}) by exact {whole}.\n", property(shown, &own));
+        let own = property(shown, &own);
+        let _ = write!(
+            text,
+            "assert (B : {own}) by first [exact {whole} | generalize {whole}; lra].\n"
+        );
         text += &self.of_term(shown, term, "B")?;
         Ok(text)
     }
@@ -1195,7 +1228,7 @@ impl<'a> Steps<'a> {
         self.times.insert(number, (time, flight));
         let (base, own) = (self.general(source)?, self.general(LawSource::Derived(number))?);
         let law = self.source(source);
-        let (at, outer) = self.bind(time);
+        let (at, outer) = self.bind_time(time);
         let text = self.slope(number, flight, &law, &at, &base, &own);
         self.names.put(time, outer);
         text
@@ -1279,7 +1312,7 @@ impl<'a> Steps<'a> {
         let number = self.checker.laws();
         let of = self.checker.statement.written_out(*of);
         let slope = self.checker.statement.derivative(of, time);
-        let (name, outer) = self.bind(time);
+        let (name, outer) = self.bind_time(time);
         let mark = self.checker.mark();
         let running = self.checker.run_over(flight.map(|flight| (time, flight)));
         let inner = self.scope(steps, &mut |own| {

@@ -30,7 +30,7 @@ const TAKEN: &[&str] = &[
     "D", "E", "nat", "exp", "ln", "sin", "cos", "tan", "sqrt", "root", "rpow", "integer", "asin", "acos", "atan", "PI",
     "pow", "INR", "IZR", "Rabs", "term", "factor", "summand", "RInt", "Derive", "sum", "prod", "fst", "snd", "left",
     "right", "eq", "ex", "not", "or", "and", "plus", "minus", "mult", "div", "le", "lt", "ge", "gt", "id", "fact",
-    "max", "min", "cosh", "sinh", "tanh",
+    "max", "min", "cosh", "sinh", "tanh", "rsum", "rprod", "factorial", "binomial", "clamp", "Derive_n", "is_lim",
 ];
 
 /// Names of the symbols and functions of a statement, which nothing else in a file has.
@@ -38,6 +38,7 @@ const TAKEN: &[&str] = &[
 pub struct Names {
     symbols: BTreeMap<Symbol, String>,
     functions: BTreeMap<(u32, u32), String>,
+    letters: BTreeMap<String, String>,
     taken: BTreeSet<String>,
 }
 
@@ -88,6 +89,16 @@ impl Names {
     /// Whether a symbol has a name.
     pub fn has(&self, symbol: Symbol) -> bool {
         self.symbols.contains_key(&symbol)
+    }
+
+    /// A name for a letter that is bound, the same each time.
+    pub fn letter(&mut self, printed: &str) -> String {
+        if let Some(known) = self.letters.get(printed) {
+            return known.clone();
+        }
+        let name = self.new_name(printed);
+        self.letters.insert(printed.to_owned(), name.clone());
+        name
     }
 
     /// Keeps the names among these words alone.

@@ -1,0 +1,430 @@
+(* Printed claims with integrals, derivatives and sums, from the goals without these that steps have shown. *)
+
+Require Import Reals Lra Lia Psatz Nsatz.
+Require Import Coquelicot.Coquelicot.
+Require Export VibroAxioms VibroOperations VibroRules.
+Open Scope R_scope.
+
+(* The sides of a claim differ by what the goal says. *)
+Lemma equal_from T a b : T = 0 -> a - b = T -> a = b.
+Proof. intros -> H. lra. Qed.
+
+Lemma equal_from_opposite T a b : T = 0 -> b - a = T -> a = b.
+Proof. intros -> H. lra. Qed.
+
+Lemma equal_difference l r a b : l = r -> a - b = l - r -> a = b.
+Proof. intros -> H. lra. Qed.
+
+Lemma different_from T a b : T <> 0 -> a - b = T -> a <> b.
+Proof. intros H <- E. apply H. lra. Qed.
+
+Lemma greater_from T a b : T > 0 -> a - b = T -> a > b.
+Proof. intros H <-. lra. Qed.
+
+Lemma less_from T a b : T > 0 -> b - a = T -> a < b.
+Proof. intros H <-. lra. Qed.
+
+Lemma at_least_from T a b : T >= 0 -> a - b = T -> a >= b.
+Proof. intros H <-. lra. Qed.
+
+Lemma at_most_from T a b : T >= 0 -> b - a = T -> a <= b.
+Proof. intros H <-. lra. Qed.
+
+(* Arguments of one function that are equal are written alike. *)
+Ltac alike :=
+  repeat match goal with
+  | |- context [?f ?x] =>
+    lazymatch f with sin => idtac | cos => idtac | exp => idtac | ln => idtac | sqrt => idtac | atan => idtac | asin => idtac | acos => idtac | Rabs => idtac | root _ => idtac end;
+    match goal with
+    | |- context [f ?y] =>
+      lazymatch y with x => fail | _ => idtac end;
+      replace (f x) with (f y) by (f_equal; first [ring | solve [field; nonzero] | solve [field; side_condition]])
+    end
+  end.
+
+(* Arguments that are 0 or 1 are written so, and functions have their well-known values. *)
+Ltac plain_arguments :=
+  repeat match goal with
+  | |- context [?f ?x] =>
+    lazymatch f with sin => idtac | cos => idtac | exp => idtac | ln => idtac | sqrt => idtac | atan => idtac | asin => idtac | acos => idtac end;
+    lazymatch x with 0 => fail | 1 => fail | _ => idtac end;
+    first
+    [ replace x with 0 by (first [lra | field; nonzero])
+    | replace x with 1 by (first [lra | field; nonzero]) ]
+  end.
+
+Ltac well_known_values :=
+  plain_arguments;
+  rewrite ?ln_exp, ?atan_1, ?asin_1, ?asin_0, ?acos_0, ?acos_1;
+  known_values.
+
+Ltac same_value :=
+  cbv beta;
+  first
+  [ reflexivity
+  | ring
+  | solve [field; nonzero]
+  | solve [by_definition; first [ring | field; nonzero]]
+  | solve [by_definition; alike; first [reflexivity | ring | field; nonzero]]
+  | solve [by_definition; integer_powers; alike; first [ring | field; first [nonzero | side_condition]]]
+  | solve [equal_values]
+  | solve [alike; equal_values] ].
+
+(* Well-known angles. *)
+Lemma atan_root_3 : atan (sqrt 3) = PI / 3.
+Proof. rewrite <- tan_PI3. apply atan_tan. generalize PI_RGT_0. lra. Qed.
+
+Lemma atan_root_third : atan (1 / sqrt 3) = PI / 6.
+Proof. rewrite <- tan_PI6. apply atan_tan. generalize PI_RGT_0. lra. Qed.
+
+Lemma asin_half_value : asin (1 / 2) = PI / 6.
+Proof. rewrite <- sin_PI6. apply asin_sin. generalize PI_RGT_0. lra. Qed.
+
+Lemma asin_root_half : asin (1 / sqrt 2) = PI / 4.
+Proof. rewrite <- sin_PI4. apply asin_sin. generalize PI_RGT_0. lra. Qed.
+
+Lemma asin_root_three_halves : asin (sqrt 3 / 2) = PI / 3.
+Proof. rewrite <- sin_PI3. apply asin_sin. generalize PI_RGT_0. lra. Qed.
+
+Ltac root_fact n := let H := fresh in assert (H : sqrt n ^ 2 = n) by (apply root_squared; lra).
+
+Ltac same_number := first [lra | field; nonzero | solve [field_simplify_eq; [first [lra | nra] | nonzero ..]] | solve [roots_as_letters; field_simplify_eq; [nsatz | nonzero ..]]].
+
+Ltac is_angle f x key value lemma :=
+  first
+  [ replace (f x) with value by (symmetry; replace x with key by same_number; exact lemma)
+  | replace (f x) with (- value) by (symmetry; replace x with (- key) by same_number; first [rewrite atan_opp | rewrite asin_opp]; rewrite lemma; reflexivity) ].
+
+Ltac angles :=
+  repeat match goal with
+  | |- context [atan ?x] =>
+    first
+    [ is_angle atan x 1 (PI / 4) atan_1
+    | is_angle atan x (sqrt 3) (PI / 3) atan_root_3
+    | is_angle atan x (1 / sqrt 3) (PI / 6) atan_root_third ]
+  | |- context [asin ?x] =>
+    first
+    [ is_angle asin x 1 (PI / 2) asin_1
+    | is_angle asin x (1 / 2) (PI / 6) asin_half_value
+    | is_angle asin x (1 / sqrt 2) (PI / 4) asin_root_half
+    | is_angle asin x (sqrt 3 / 2) (PI / 3) asin_root_three_halves ]
+  | |- context [acos ?x] => rewrite (acos_as_asin x)
+  end.
+
+(* Functions of multiples and sums of angles in functions of the angles. *)
+Ltac double_angles :=
+  repeat match goal with
+  | |- context [?f ?u] =>
+    lazymatch f with sin => idtac | cos => idtac end;
+    lazymatch u with 2 * _ => fail | _ => idtac end;
+    match goal with
+    | |- context [?g ?v] =>
+      lazymatch g with sin => idtac | cos => idtac end;
+      replace u with (2 * v) by (first [ring | solve [field; nonzero]])
+    end
+  end.
+
+Ltac half_multiples :=
+  match goal with
+  | |- context [?f (IZR (Zpos ?p) * ?x)] =>
+    lazymatch f with sin => idtac | cos => idtac end;
+    lazymatch p with
+    | xO xH => fail
+    | xO ?q => replace (IZR (Zpos p) * x) with (2 * (IZR (Zpos q) * x)) by ring
+    | xI ?q => replace (IZR (Zpos p) * x) with (2 * (IZR (Zpos q) * x) + x) by ring
+    end
+  end.
+
+Ltac functions_of_one_angle :=
+  repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_minus | rewrite cos_minus | rewrite sin_2a | rewrite cos_2a_cos | half_multiples];
+  repeat match goal with |- context [1 * ?x] => replace (1 * x) with x by ring end;
+  alike.
+
+Ltac by_facts :=
+  first
+  [ ring
+  | solve [field; nonzero]
+  | match goal with
+    | |- context [sin ?x] =>
+      let H := fresh in
+      assert (H : sin x ^ 2 = 1 - cos x ^ 2) by (generalize (Pythagoras x); lra);
+      first [ring [H] | solve [field [H]; first [nonzero | side_condition]]]
+    end
+  | solve [equal_values] ].
+
+Ltac multiple_angles :=
+  first
+  [ solve [functions_of_one_angle; by_facts]
+  | solve [double_angles; functions_of_one_angle; by_facts] ].
+
+Ltac integrate_now F := integrate F; first [same_value | multiple_angles].
+
+Ltac integrate_by F :=
+  unfold sinh, cosh, tanh;
+  first
+  [ solve [integrate_now F]
+  | lazymatch goal with
+    | |- RInt _ ?a ?b = _ => destruct (Rle_lt_dec a b); solve [integrate_now F]
+    end ].
+
+Ltac conclude_claim W :=
+  cbv beta;
+  first
+  [ conclude W
+  | lazymatch type of W with
+    | _ = 0 => first [apply (equal_from _ _ _ W) | apply (equal_from_opposite _ _ _ W)]
+    | _ <> 0 => apply (different_from _ _ _ W)
+    | _ > 0 => first [apply (greater_from _ _ _ W) | apply (less_from _ _ _ W)]
+    | _ >= 0 => first [apply (at_least_from _ _ _ W) | apply (at_most_from _ _ _ W)]
+    end; solve [same_value]
+  | apply (equal_from_opposite _ _ _ W); solve [same_value]
+  | well_known_values;
+    first
+    [ lazymatch type of W with
+      | _ = 0 => first [apply (equal_from _ _ _ W) | apply (equal_from_opposite _ _ _ W)]
+      end; solve [well_known_values; same_value | well_known_values; angles; same_value | numerals; integer_powers; multiple_angles]
+    | solve [equal_at_point]
+    | solve [same_value]
+    | angles; first [solve [equal_at_point] | solve [same_value]] ] ].
+
+(* What is under a root that is not 0 is positive. *)
+Lemma under_root : forall x : R, sqrt x <> 0 -> 0 < x.
+Proof. intros x H. destruct (Rlt_dec 0 x) as [P | P]; [exact P |]. exfalso. apply H, sqrt_neg_0. lra. Qed.
+
+Lemma under_root_positive : forall x : R, sqrt x > 0 -> 0 < x.
+Proof. intros x H. apply under_root. lra. Qed.
+
+Lemma right_factor : forall a b : R, a * b <> 0 -> b <> 0.
+Proof. intros a b H E. apply H. rewrite E. ring. Qed.
+
+Ltac roots_known :=
+  repeat match goal with
+  | H : _ * sqrt ?x <> 0 |- _ => apply right_factor in H
+  | H : sqrt ?x <> 0 |- _ =>
+    lazymatch goal with K : 0 < x |- _ => fail | _ => pose proof (under_root x H) end
+  end.
+
+(* Derivatives by the rules, their values left to be found. *)
+Ltac by_rules :=
+  roots_known;
+  repeat match goal with H : forall T, is_derive ?f T (?g T) |- context [?f ?t] =>
+    lazymatch goal with
+    | K : is_derive f t (g t) |- _ => fail
+    | _ => pose proof (H t)
+    end
+  end;
+  repeat lazymatch goal with |- is_derive _ _ _ => derive_node end; side_condition.
+
+Ltac value_of_derivative E f x :=
+  eassert (E : Derive f x = _) by (apply is_derive_unique; unfold sinh, cosh, tanh; by_rules);
+  cbv beta in E; cbn [Nat.pred] in E.
+
+Lemma Derive_n_next : forall (f g : R -> R) (n : nat) (x l : R),
+  locally x (fun t => is_derive f t (g t)) -> Derive_n g n x = l -> Derive_n f (S n) x = l.
+Proof.
+  intros f g n x l H <-. rewrite <- (Nat.add_1_r n), <- (Derive_n_comp f n 1 x).
+  apply Derive_n_ext_loc. revert H. apply filter_imp. intros t T. exact (is_derive_unique f t (g t) T).
+Qed.
+
+Lemma Derive_n_last : forall (f : R -> R) (x l : R), is_derive f x l -> Derive_n f 1 x = l.
+Proof. intros f x l H. exact (is_derive_unique f x l H). Qed.
+
+(* What holds at a point holds near it. *)
+Lemma near_nonzero : forall (f : R -> R) (x : R), continuous f x -> f x <> 0 -> locally x (fun t => f t <> 0).
+Proof. intros f x C N. exact (C (fun y => y <> 0) (open_neq 0 (f x) N)). Qed.
+
+Lemma near_and : forall (x : R) (P Q : R -> Prop), locally x P -> locally x Q -> locally x (fun t => P t /\ Q t).
+Proof. intros x P Q. apply filter_and. Qed.
+
+Lemma near_by : forall (x : R) (P Q : R -> Prop), locally x P -> (forall t, P t -> Q t) -> locally x Q.
+Proof. intros x P Q H I. revert H. apply filter_imp. exact I. Qed.
+
+Ltac near_one x H N :=
+  pattern x in H;
+  lazymatch type of H with
+  | (fun t => @?e t > 0) _ => assert (N : locally x (fun t => 0 < e t)) by (apply near_positive_continuous; [is_continuous | exact H])
+  | (fun t => @?e t <> 0) _ => assert (N : locally x (fun t => e t <> 0)) by (apply near_nonzero; [is_continuous | exact H])
+  end;
+  cbv beta in N.
+
+Ltac near x :=
+  match goal with
+  | |- locally x _ => apply filter_forall; intro; by_rules_at
+  | H : context [x] |- locally x _ =>
+    let N := fresh in near_one x H N;
+    apply (near_by x _ _ N); intros ? ?; by_rules_at
+  end
+with by_rules_at :=
+  lazymatch goal with
+  | |- is_derive ?f ?x ?l => refine (D_equal f x _ l _ _); [by_rules | reflexivity]
+  end.
+
+Ltac higher_derivative E f n x :=
+  eassert (E : Derive_n f n x = _) by
+    (repeat (lazymatch goal with |- Derive_n _ 1 _ = _ => fail | _ => eapply Derive_n_next; [near x | cbv beta] end);
+     apply Derive_n_last; by_rules);
+  cbv beta in E; cbn [Nat.pred] in E.
+
+(* Powers with integer exponents, from one to the next. *)
+Lemma rpow_next : forall x n : R, integer n -> 0 <= n -> rpow x (n + 1) = rpow x n * x.
+Proof.
+  intros x n N L. rewrite (PowerOfSum x (n + 1) n 1 eq_refl N (integer_IZR 1)); [| lra | lra].
+  now rewrite (rpow_IZR x 1), powerRZ_1.
+Qed.
+
+Lemma rpow_next_nonzero : forall x n : R, integer n -> x <> 0 -> rpow x (n + 1) = rpow x n * x.
+Proof.
+  intros x n N X. rewrite (NonzeroPowerOfSum x (n + 1) n 1 eq_refl N (integer_IZR 1) X).
+  now rewrite (rpow_IZR x 1), powerRZ_1.
+Qed.
+
+Lemma rpow_more : forall (x n : R) (k : nat), integer n -> 0 <= n -> rpow x (n + INR k) = rpow x n * x ^ k.
+Proof.
+  intros x n k N L.
+  rewrite (PowerOfSum x (n + INR k) n (INR k) eq_refl N (integer_INR k)); [| lra | apply Rle_ge, pos_INR].
+  now rewrite rpow_INR.
+Qed.
+
+Lemma rpow_more_nonzero : forall (x n : R) (k : nat), integer n -> x <> 0 -> rpow x (n + INR k) = rpow x n * x ^ k.
+Proof.
+  intros x n k N X.
+  rewrite (NonzeroPowerOfSum x (n + INR k) n (INR k) eq_refl N (integer_INR k) X).
+  now rewrite rpow_INR.
+Qed.
+
+Ltac is_nonzero := first [assumption | lra | nonzero | side_condition].
+
+Ltac power_more x y n k :=
+  replace (rpow x y) with (rpow x n * x ^ k) by
+    (symmetry; replace y with (n + INR k) by (simpl INR; ring); first [apply rpow_more; [assumption | lra] | apply rpow_more_nonzero; [assumption | is_nonzero]]).
+
+(* The exponents that differ from a letter by a number become the letter. *)
+Ltac power_at n :=
+  repeat match goal with
+  | |- context [rpow ?x ?y] =>
+    lazymatch y with n => fail | IZR _ => fail | _ => idtac end;
+    first
+    [ replace (rpow x y) with (rpow x n) by (f_equal; ring)
+    | replace (rpow x y) with (rpow x n * x) by (symmetry; replace y with (n + 1) by ring; first [apply rpow_next; [assumption | lra] | apply rpow_next_nonzero; [assumption | is_nonzero]])
+    | power_more x y n 2%nat
+    | power_more x y n 3%nat
+    | power_more x y n 4%nat
+    | replace (rpow x y) with (rpow x n / x) by
+        (replace n with (y + 1) at 1 by ring;
+         first [rewrite rpow_next_nonzero; [field; is_nonzero | is_integer | is_nonzero] | rewrite rpow_next; [field; is_nonzero | is_integer | lra]]) ]
+  end.
+
+(* Factorials of integers. *)
+Definition factorial (x : R) : R := INR (fact (Z.to_nat (Int_part x))).
+
+Lemma factorial_IZR : forall z : Z, factorial (IZR z) = INR (fact (Z.to_nat z)).
+Proof. intro z. unfold factorial. now rewrite Int_part_IZR. Qed.
+
+Lemma factorial_next : forall n : R, integer n -> 0 <= n -> factorial (n + 1) = (n + 1) * factorial n.
+Proof.
+  intros n [z ->] L. apply le_IZR in L. rewrite <- plus_IZR, !factorial_IZR.
+  replace (Z.to_nat (z + 1)) with (S (Z.to_nat z)) by lia.
+  change (fact (S (Z.to_nat z))) with (S (Z.to_nat z) * fact (Z.to_nat z))%nat.
+  rewrite mult_INR. f_equal. rewrite INR_IZR_INZ. f_equal. lia.
+Qed.
+
+Lemma factorial_positive : forall x : R, factorial x > 0.
+Proof. intro x. apply lt_0_INR, lt_O_fact. Qed.
+
+Ltac factorial_values :=
+  repeat match goal with
+  | |- context [factorial (IZR ?z)] =>
+    let v := eval compute in (Z.of_nat (fact (Z.to_nat z))) in
+    replace (factorial (IZR z)) with (IZR v) by (rewrite factorial_IZR, INR_IZR_INZ; reflexivity)
+  end.
+
+Ltac factorial_at n :=
+  repeat match goal with
+  | |- context [factorial ?y] =>
+    lazymatch y with n => fail | IZR _ => fail | _ => idtac end;
+    first
+    [ replace (factorial y) with ((n + 1) * factorial n) by (symmetry; replace y with (n + 1) by ring; apply factorial_next; [solve [is_integer] | lra])
+    | replace (factorial y) with ((n + 1 + 1) * ((n + 1) * factorial n)) by
+        (symmetry; replace y with (n + 1 + 1) by ring; rewrite !factorial_next by (first [solve [is_integer] | lra]); reflexivity) ]
+  end;
+  generalize (factorial_positive n).
+
+Ltac plain_numbers :=
+  repeat match goal with
+  | |- context [rpow ?x ?y] =>
+    lazymatch y with IZR _ => fail | _ => idtac end;
+    first
+    [ replace y with 0 by lra | replace y with 1 by lra | replace y with 2 by lra | replace y with 3 by lra | replace y with 4 by lra
+    | replace y with (-1) by lra | replace y with (-2) by lra ]
+  | |- context [factorial ?y] =>
+    lazymatch y with IZR _ => fail | _ => idtac end;
+    first
+    [ replace y with 0 by lra | replace y with 1 by lra | replace y with 2 by lra | replace y with 3 by lra | replace y with 4 by lra
+    | replace y with 5 by lra | replace y with 6 by lra ]
+  end;
+  factorial_values; integer_powers.
+
+Ltac first_value :=
+  unroll; plain_numbers;
+  first
+  [ lra
+  | same_value
+  | solve [field; repeat split; is_nonzero]
+  | at_point
+  | solve [functions_of_one_angle; by_facts]
+  | solve [known_values; lra] ].
+
+Ltac telescopes n := cbv beta; first [same_value | solve [power_at n; integer_powers; same_value] | solve [power_at n; integer_powers; field; repeat split; is_nonzero]].
+
+Ltac sum_by F :=
+  apply (rsum_differences F);
+  [ is_integer | is_integer | lra
+  | let n := fresh "n" in let N := fresh in let L := fresh in let M := fresh in intros n N L M; telescopes n ].
+
+(* Hypotheses of a goal from what is known, and the claim from an equation or an inequality that is its own in other words. *)
+Ltac known_by H :=
+  first
+  [ assumption
+  | exact H
+  | lra
+  | solve [is_integer]
+  | as_printed H
+  | side_condition ].
+
+Ltac meet_known W H :=
+  repeat match type of W with
+  | ?P -> _ => let M := fresh in assert (M : P) by known_by H; specialize (W M); clear M
+  end.
+
+Ltac conclude_relation W :=
+  cbv beta;
+  first
+  [ exact W
+  | lra
+  | lazymatch type of W with
+    | _ = _ => apply Rminus_diag_eq in W; conclude_claim W
+    | _ > _ => apply Rgt_minus in W; conclude_claim W
+    | _ >= _ => apply Rge_minus in W; conclude_claim W
+    | _ < _ => apply Rlt_gt in W; apply Rgt_minus in W; conclude_claim W
+    | _ <= _ => apply Rle_ge in W; apply Rge_minus in W; conclude_claim W
+    end ].
+
+(* The next step of sums and products: what they are at the next end. *)
+Ltac next_terms :=
+  repeat first
+  [ rewrite rsum_next; [| is_integer | is_integer | lra]
+  | rewrite rprod_next; [| is_integer | is_integer | lra] ];
+  cbv beta.
+
+Ltac step_by_algebra n H :=
+  cbv beta in H |- *;
+  first
+  [ lra
+  | rewrite H; first [same_value | solve [telescopes n] | solve [factorial_at n; intro; telescopes n]]
+  | lazymatch type of H with
+    | ?l = ?r => lazymatch goal with |- ?a = ?b => apply (equal_difference l r a b H); first [same_value | solve [telescopes n] | solve [factorial_at n; intro; telescopes n]] end
+    | ?l < ?r => first [nra | solve [power_at n; nra] | solve [factorial_at n; intro; power_at n; nra]]
+    | ?l <= ?r => first [nra | solve [power_at n; nra] | solve [factorial_at n; intro; power_at n; nra]]
+    | ?l > ?r => first [nra | solve [power_at n; nra] | solve [factorial_at n; intro; power_at n; nra]]
+    | ?l >= ?r => first [nra | solve [power_at n; nra] | solve [factorial_at n; intro; power_at n; nra]]
+    end ].

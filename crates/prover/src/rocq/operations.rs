@@ -1,0 +1,422 @@
+//! Claims with derivatives, sums, products and integrals as theorems about the printed formula, from the goals that they come to.
+
+use super::comment;
+use super::printed::{Printer, condition_text};
+use super::steps::Steps;
+use super::text::{Unwritten, number, property};
+use crate::{integration, summation};
+use crate::script::{Decided, Found};
+use claims::Statements;
+use kernel::{Certificate, Node, Origin, Property, Symbol};
+use numbers::{Field, Rational};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use texmath::{Condition, Equation, Name, Operation, Series, Symbols, Tree, any_side, mapped};
+
+type Text = Result<String, Unwritten>;
+
+/// The most antiderivatives of one integral that are tried.
+const MOST: usize = 3;
+
+/// A claim as it is printed, with the table of symbols in which it was read.
+#[derive(Clone, Copy)]
+pub struct Printed<'a> {
+    pub equation: &'a Equation,
+    pub symbols: &'a Symbols,
+}
+
+/// Returns true if a formula holds an operation, or a factorial.
+pub fn has_operations(equation: &Equation) -> bool {
+    any_side(equation, &mut |node| match node {
+        Tree::Operation(..) => true,
+        Tree::Call(name, ..) => name.base.contains("factorial"),
+        _ => false,
+    })
+}
+
+/// The one equation that a claim prints.
+///
+/// # Errors
+/// Why the claim is not written as it is printed.
+pub fn equation(statements: &Statements) -> Result<&Equation, Unwritten> {
+    if !statements.locals.is_empty() {
+        return Err(Unwritten::Not("an operation with definitions"));
+    }
+    match statements.claims.as_slice() {
+        [equation] => Ok(equation),
+        _ => Err(Unwritten::Not("several equations with an operation")),
+    }
+}
+
+/// The question that the claim itself comes to, where that is one and proved; that parts of it have values are others.
+///
+/// # Errors
+/// Why there is none.
+pub fn main_goal(decided: &[Decided]) -> Result<&Decided, Unwritten> {
+    let own: Vec<&Decided> = decided.iter().filter(|one| one.goal.part.is_empty()).collect();
+    let says_more = |one: &&&Decided| one.question.equation.left != one.question.equation.right;
+    let more: Vec<&Decided> = own.iter().filter(says_more).copied().collect();
+    let goal = match (more.as_slice(), own.as_slice()) {
+        ([one], _) | ([], [one, ..]) => *one,
+        ([], []) => return Err(Unwritten::Not("an operation in a claim by cases")),
+        _ => return Err(Unwritten::Not("an operation in a claim of several questions")),
+    };
+    match goal.found {
+        Found::Proved { .. } => Ok(goal),
+        Found::Refuted { .. } => Err(Unwritten::Not("an operation in a claim that is refuted")),
+    }
+}
+
+/// The induction over an integer by which a claim is proved: the letter, its first value, and the question of the step.
+pub struct Induction<'a> {
+    letter: &'a str,
+    first: i64,
+    step: &'a Decided,
+}
+
+impl<'a> Induction<'a> {
+    pub fn of(decided: &'a [Decided]) -> Option<Self> {
+        let letter_of = |one: &'a Decided| {
+            let rest = one.goal.part.strip_prefix("the step from ")?;
+            let (letter, next) = rest.split_once(" to ")?;
+            (next == format!("{letter} + 1")).then_some((letter, one))
+        };
+        let (letter, step) = decided.iter().find_map(letter_of)?;
+        let first = |one: &Decided| -> Option<i64> {
+            let value = one.goal.part.strip_prefix(letter)?.strip_prefix(" = ")?;
+            value.parse().ok()
+        };
+        let first = decided.iter().filter_map(first).min()?;
+        Some(Self { letter, first, step })
+    }
+
+    /// The theorem, over the integers from the first value on.
+    ///
+    /// # Errors
+    /// What of the claim is not written.
+    pub fn theorem(&self, equation: &Equation, assume: &[Condition]) -> Text {
+        let mut own = self.step.question.statement.clone();
+        let steps = &mut Steps::new(&mut own, &Certificate::default());
+        let printer = Printer::of_operations(self.step);
+        let letter = self.letter_in(equation).ok_or(Unwritten::Not("an induction over another letter"))?;
+        let name = printer.tree(&symbol(&letter), None, steps)?;
+        let claim = printer.relation(equation, None, steps)?;
+        let mut hypotheses = Vec::new();
+        for condition in assume {
+            hypotheses.push((printer.condition(condition, steps)?, condition_text(condition)));
+        }
+        self.add_givens(&name, &mut hypotheses, steps)?;
+        let first = number(&Rational::from_integer(self.first)).replace("(- ", "(-");
+        let says = |says: &str| hypotheses.iter().any(|(own, _)| own == says);
+        let is_bound = assume.iter().any(|condition| match condition {
+            Condition::Relation(own) => own.left.has_free(&letter) || own.right.has_free(&letter),
+            Condition::Integer(_) => false,
+        });
+        if !is_bound {
+            let least = format!("{name} >= {first}");
+            if !says(&least) {
+                hypotheses.push((least, "from the first value on".into()));
+            }
+        }
+        let (at_first, at_next) = self.ends(equation, &letter, &name, &first, &printer, steps)?;
+        let variables: Vec<String> = steps.names.symbols().map(|(_, name)| name.clone()).collect();
+        if steps.names.functions().next().is_some() {
+            return Err(Unwritten::Not("an induction with unknown functions"));
+        }
+        let mut text = format!("Theorem holds :\n  forall {} : R,\n", variables.join(" "));
+        for (says, why) in &hypotheses {
+            let _ = writeln!(text, "  (* {} *)\n  ({says}) ->", comment(why));
+        }
+        let _ = writeln!(text, "  (* claim: {} *)\n  {claim}.\nProof.", comment(&equation.to_string()));
+        let names: Vec<String> = (0..hypotheses.len()).map(|place| format!("P{place}")).collect();
+        let _ = writeln!(text, "intros {}.\nintros {}.", variables.join(" "), names.join(" "));
+        let _ = writeln!(text, "assert (L : {first} <= {name}) by lra.");
+        let _ = writeln!(text, "assert (I : integer {name}) by assumption.");
+        let of_letter = hypotheses.iter().zip(&names).filter(|((says, _), _)| words(says).any(|word| word == name));
+        let of_letter: Vec<&str> = of_letter.map(|(_, own)| own.as_str()).collect();
+        if !of_letter.is_empty() {
+            let _ = writeln!(text, "clear {}.", of_letter.join(" "));
+        }
+        let _ = writeln!(text, "refine (integer_induction (fun {name} : R => {claim}) {first} _ _ _ {name} I L).");
+        let _ = writeln!(text, "{{ is_integer. }}\n{{ clear I L {name}; cbv beta.\n{at_first}first_value. }}");
+        let _ = writeln!(text, "{{ clear I L {name}; intros {name} I L H; cbv beta in H |- *.\n{at_next}next_terms.");
+        let _ = writeln!(text, "step_by_algebra {name} H. }}\nQed.");
+        Ok(text)
+    }
+
+    /// What is declared of the letters that are named, and the conditions of the claim that do not move.
+    fn add_givens(&self, moves: &str, hypotheses: &mut Vec<(String, String)>, steps: &mut Steps) -> Result<(), Unwritten> {
+        let named: BTreeSet<Symbol> = steps.names.symbols().map(|(symbol, _)| *symbol).collect();
+        for given in self.step.question.statement.givens() {
+            let is_meant = match given.origin {
+                Origin::Declared(_) => true,
+                Origin::ClaimDomain => matches!(given.property, Property::Nonzero | Property::Positive),
+                _ => false,
+            };
+            let terms = steps.statement().terms();
+            let mut is_named = true;
+            for inner in terms.inside(given.term) {
+                match terms.node(inner) {
+                    Node::Symbol(symbol) => is_named &= named.contains(symbol),
+                    Node::Value(..) => is_named = false,
+                    _ => {}
+                }
+            }
+            if !is_meant || !is_named || given.law.is_some() {
+                continue;
+            }
+            let says = property(given.property, &steps.full(given.term)?);
+            let is_domain = given.origin == Origin::ClaimDomain;
+            let is_free = words(&says).all(|word| word != moves) && steps.statement().terms().inside(given.term).len() > 1;
+            let is_known = hypotheses.iter().any(|(own, _)| *own == says);
+            if !is_known && (!is_domain || is_free) {
+                hypotheses.push((says, given.origin.to_string()));
+            }
+        }
+        Ok(())
+    }
+
+    fn letter_in(&self, equation: &Equation) -> Option<Name> {
+        let mut found = None;
+        any_side(equation, &mut |node| {
+            if let Tree::Symbol(name, _) = node
+                && name.to_string() == self.letter
+            {
+                found = Some(name.clone());
+            }
+            found.is_some()
+        });
+        found
+    }
+
+    /// What writes the ends of sums and products at the first value as numbers, and at the next value by the ends before.
+    fn ends(
+        &self,
+        equation: &Equation,
+        letter: &Name,
+        name: &str,
+        first: &str,
+        printer: &Printer,
+        steps: &mut Steps,
+    ) -> Result<(String, String), Unwritten> {
+        let mut found = Vec::new();
+        outermost(&equation.left, &mut found);
+        outermost(&equation.right, &mut found);
+        let (mut at_first, mut at_next) = (String::new(), String::new());
+        for operation in found {
+            let Operation::Series { of, from, to, index, .. } = operation else {
+                return Err(Unwritten::Not("an operation other than a sum in an induction"));
+            };
+            if has_operation(of) {
+                return Err(Unwritten::Not("an operation within a sum"));
+            }
+            if index != letter && of.has_free(letter) || from.has_free(letter) {
+                return Err(Unwritten::Not("a sum whose terms depend on its length"));
+            }
+            let at = |value: i64| linear_value(to, letter, value);
+            let (Some(zero), Some(one), Some(two), Some(value)) = (at(0), at(1), at(2), at(self.first)) else {
+                return Err(Unwritten::Not("a sum whose length is not linear"));
+            };
+            let more = one - zero;
+            if two - one != more || !(0..=3).contains(&more) {
+                return Err(Unwritten::Not("a sum whose length is not linear"));
+            }
+            let low = printer.tree(from, None, steps)?;
+            if let Some(low_value) = linear_value(from, letter, 0)
+                && low_value < 0
+            {
+                let _ = writeln!(at_first, "replace {low} with ({low_value}) by lra.");
+            }
+            let now = printer.tree(to, None, steps)?;
+            let own = printer.at(to, letter, first, steps)?;
+            let _ = writeln!(at_first, "try replace {own} with ({value}) by lra.");
+            let next = printer.at(to, letter, &format!("({name} + 1)"), steps)?;
+            let sum = (0..more).fold(now, |sum, _| format!("({sum} + 1)"));
+            if next != sum {
+                let _ = writeln!(at_next, "try replace {next} with {sum} by ring.");
+            }
+        }
+        Ok((at_first, at_next))
+    }
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\''))
+}
+
+fn symbol(name: &Name) -> Tree {
+    Tree::Symbol(name.clone(), texmath::At::default())
+}
+
+/// The value of a linear tree in one letter at an integer.
+fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
+    let of = |tree: &Tree| linear_value(tree, letter, at);
+    match tree {
+        Tree::Number(value) => (0..=1_000_000_i64).find(|own| Rational::from_integer(*own) == *value),
+        Tree::Symbol(name, _) => (name == letter).then_some(at),
+        Tree::Negate(inner) => of(inner)?.checked_neg(),
+        Tree::Sum(parts) => parts.iter().try_fold(0_i64, |sum, part| sum.checked_add(of(part)?)),
+        Tree::Product(parts) => parts.iter().try_fold(1_i64, |product, part| product.checked_mul(of(part)?)),
+        _ => None,
+    }
+}
+
+impl Printed<'_> {
+    /// What replaces each operation of the claim by its value, line by line.
+    ///
+    /// # Errors
+    /// Which operation has no value here.
+    pub fn values(&self, decided: &Decided, steps: &mut Steps) -> Text {
+        let mut found = Vec::new();
+        outermost(&self.equation.left, &mut found);
+        outermost(&self.equation.right, &mut found);
+        let printer = Printer::of_operations(decided);
+        let mut text = String::new();
+        let mut written = Vec::new();
+        let mut is_unrolled = false;
+        for operation in found {
+            let tree = Tree::Operation(Box::new(operation.clone()), texmath::At::default());
+            let says = printer.tree(&tree, None, steps)?;
+            if written.contains(&says) {
+                continue;
+            }
+            let number = written.len();
+            written.push(says.clone());
+            match operation {
+                Operation::Integral {
+                    of,
+                    by,
+                    limits: Some(limits),
+                } => text += &self.integral(number, &says, (of, by, limits), &printer, steps)?,
+                Operation::Derivative { of, by, order, at } => {
+                    if has_operation(of) {
+                        return Err(Unwritten::Not("an operation within a derivative"));
+                    }
+                    let function = printer.function(of, by, None, steps)?;
+                    let at = printer.tree(at, None, steps)?;
+                    match order {
+                        0 => {}
+                        1 => {
+                            let _ = writeln!(text, "value_of_derivative Q{number} {function} {at}.");
+                            let _ = writeln!(text, "rewrite Q{number}; clear Q{number}.");
+                        }
+                        _ => {
+                            let _ = writeln!(text, "higher_derivative Q{number} {function} {order}%nat {at}.");
+                            let _ = writeln!(text, "rewrite Q{number}; clear Q{number}.");
+                        }
+                    }
+                }
+                Operation::Series {
+                    kind,
+                    of,
+                    index,
+                    from,
+                    to,
+                } => {
+                    if has_operation(of) {
+                        return Err(Unwritten::Not("an operation within a sum"));
+                    }
+                    let is_number = |tree: &Tree| texmath::number_of(tree).is_some();
+                    if is_number(from) && is_number(to) {
+                        is_unrolled = true;
+                        continue;
+                    }
+                    let closed = (*kind == Series::Sum).then(|| summation::telescoping(of, index)).flatten();
+                    let closed = closed.ok_or(Unwritten::Not("a sum of symbolic length without a closed form"))?;
+                    let function = printer.function(&closed, index, None, steps)?;
+                    let [low, high] = [from, to].map(|end| printer.tree(end, None, steps));
+                    let _ = writeln!(
+                        text,
+                        "assert (Q{number} : {says} = {function} ({} + 1) - {function} {}) by sum_by {function}.\n\
+                         cbv beta in Q{number}; rewrite Q{number}; clear Q{number}.",
+                        high?, low?
+                    );
+                }
+                _ => return Err(Unwritten::Not("an operation of another kind")),
+            }
+        }
+        if is_unrolled {
+            text += "unroll.\n";
+        }
+        Ok(text)
+    }
+
+    /// An integral between finite limits, by an antiderivative.
+    fn integral(
+        &self,
+        number: usize,
+        says: &str,
+        (of, by, limits): (&Tree, &Name, &(Tree, Tree)),
+        printer: &Printer,
+        steps: &mut Steps,
+    ) -> Text {
+        if has_operation(of) {
+            return Err(Unwritten::Not("an operation within an integral"));
+        }
+        let [low, high] = [&limits.0, &limits.1].map(|end| printer.tree(end, None, steps));
+        let (low, high) = (low?, high?);
+        let ways = antiderivatives(of, by, self.symbols);
+        if ways.is_empty() {
+            return Err(Unwritten::Not("an integral without an antiderivative"));
+        }
+        let mut lines = Vec::new();
+        for way in &ways {
+            let function = printer.function(way, by, None, steps)?;
+            lines.push(format!(
+                "assert (Q{number} : {says} = {function} {high} - {function} {low}) by (integrate_by {function})"
+            ));
+        }
+        Ok(format!(
+            "first\n[ {} ].\ncbv beta in Q{number}; rewrite Q{number}; clear Q{number}.\n",
+            lines.join("\n| ")
+        ))
+    }
+}
+
+/// Antiderivatives to be tried, and those with and without the bars of their logarithms.
+fn antiderivatives(of: &Tree, by: &Name, symbols: &Symbols) -> Vec<Tree> {
+    let mut found: Vec<Tree> = Vec::new();
+    for way in integration::antiderivatives(of, by, symbols).into_iter().take(MOST) {
+        for sign in [None, Some(false), Some(true)] {
+            let own = match sign {
+                None => way.clone(),
+                Some(is_negative) => mapped(&way, &|node| without_bars(node, is_negative)),
+            };
+            if !found.contains(&own) {
+                found.push(own);
+            }
+        }
+    }
+    found
+}
+
+fn without_bars(node: &Tree, is_negative: bool) -> Option<Tree> {
+    match node {
+        Tree::Call(name, inner, _) if name.base == r"\abs" => Some(match is_negative {
+            true => Tree::Negate(inner.clone()),
+            false => (**inner).clone(),
+        }),
+        _ => None,
+    }
+}
+
+fn has_operation(tree: &Tree) -> bool {
+    texmath::any(tree, &mut |node| matches!(node, Tree::Operation(..)))
+}
+
+/// The operations that stand in no other one.
+fn outermost<'t>(tree: &'t Tree, found: &mut Vec<&'t Operation>) {
+    let mut visit = |node: &'t Tree| -> Option<()> {
+        match node {
+            Tree::Operation(operation, _) => found.push(operation),
+            node => outermost(node, found),
+        }
+        None
+    };
+    match tree {
+        Tree::Operation(operation, _) => found.push(operation),
+        tree => {
+            tree.find_below(&mut visit);
+        }
+    }
+}
