@@ -82,7 +82,7 @@ impl ProofForm {
             },
             Self::Rocq => {
                 let (mut files, mut missing) = (Vec::new(), BTreeSet::new());
-                for file in rocq::files(sheet, position, options) {
+                for file in rocq::files(sheet, position, &prove::decided(sheet, position, options)) {
                     match file {
                         Ok(text) => files.push(text),
                         Err(unwritten) => {

@@ -115,8 +115,8 @@ impl Formula {
     }
 }
 
-/// The sheets of the formulas that a test takes, by their names.
-pub fn sheets(takes: impl Fn(&str) -> bool) -> Vec<(String, Sheet)> {
+/// The sheets of the formulas that a test takes, each behind its construct and its name.
+pub fn sheets(takes: impl Fn(&str) -> bool) -> Vec<(String, String, Sheet)> {
     let handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();
     let taken = handbook.formula.into_iter().filter(|formula| takes(&formula.id));
     let sheet = |formula: Formula| {

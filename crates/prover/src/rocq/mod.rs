@@ -6,7 +6,7 @@ mod steps;
 mod text;
 
 use super::script::{Decided, Found};
-use super::{Decision, Options, decided};
+use super::Decision;
 use claims::{Sheet, Statements};
 use kernel::{
     At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness,
@@ -38,10 +38,9 @@ fn comment(text: &str) -> String {
     text.replace("(*", "( *").replace("*)", "* )").replace('"', "''")
 }
 
-/// The files about the claim at a position, and why something is not written: one file for each question that decides it, or one about
+/// The files about the claim at a position, which is decided by these questions, and why something is not written: one file for each question that decides it, or one about
 /// the printed formula where that holds a sum, an integral or the like and is proved.
-pub fn files(sheet: &Sheet, position: usize, options: &Options) -> Vec<Result<String, Unwritten>> {
-    let decided = decided(sheet, position, options);
+pub fn files(sheet: &Sheet, position: usize, decided: &[Decided]) -> Vec<Result<String, Unwritten>> {
     if decided.is_empty() {
         return vec![Err(Unwritten::Not("letters that need not commute"))];
     }
@@ -49,7 +48,7 @@ pub fn files(sheet: &Sheet, position: usize, options: &Options) -> Vec<Result<St
     let statements = Decision::without_search(sheet, position).ok();
     let has_operations = |statements: &Statements| statements.claims.iter().any(operations::has_operations);
     let whole = match statements.filter(has_operations) {
-        Some(statements) if decided.iter().all(is_proved) => Some(whole(&statements, &sheet.symbols, &decided)),
+        Some(statements) if decided.iter().all(is_proved) => Some(whole(&statements, &sheet.symbols, decided)),
         _ => None,
     };
     // the questions themselves are better than nothing
