@@ -218,7 +218,7 @@ fn the_equations_of_the_paper_are_theorems() {
 #[test]
 fn a_changed_theorem_is_refused() {
     let Some(folder) = library() else { return };
-    let sheets = handbook::sheets(|id| sample::takes(id, 8));
+    let sheets = handbook::sheets(|id| sample::takes(id, 2));
     let (mut texts, mut whole) = (Vec::new(), Vec::new());
     for (_, _, sheet) in &sheets {
         let Some(position) = sheet.find("c") else { continue };
@@ -243,7 +243,7 @@ fn a_changed_theorem_is_refused() {
             whole.push(text.clone());
         }
     }
-    assert!(texts.len() >= 5, "{}", texts.len());
+    assert!(texts.len() >= 50, "{}", texts.len());
     for (text, fault) in texts.iter().zip(checked(folder, &texts, &["holds"])) {
         assert!(fault.is_some(), "{text}");
     }

@@ -142,7 +142,18 @@ Ltac is_known_nonzero :=
     | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end
     | enclose ].
 
-Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_known_nonzero.
+Ltac each_known_nonzero := repeat match goal with |- _ /\ _ => split end; is_known_nonzero.
+
+(* The same, also from fractions that are not 0. *)
+Ltac is_nonzero :=
+  first
+    [ is_known_nonzero
+    | match goal with
+      | H : ?q <> 0 |- ?e <> 0 =>
+        let Z := fresh in intro Z; apply H; field_simplify_eq; [lra | clear Z; each_known_nonzero]
+      end ].
+
+Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_nonzero.
 
 (* Equality of quotients of polynomials. *)
 Ltac same_fraction := first [ring | field; nonzero].
@@ -317,7 +328,7 @@ Ltac conclude W :=
 
 (* Values at a point: functions at arguments where they have well-known values. *)
 Ltac known_values :=
-  rewrite ?sin_0, ?cos_0, ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?exp_0, ?ln_1, ?sqrt_0, ?sqrt_1, ?atan_0, ?tan_0.
+  rewrite ?sin_0, ?cos_0, ?sin_PI, ?cos_PI, ?sin_2PI, ?cos_2PI, ?sin_PI2, ?cos_PI2, ?exp_0, ?ln_1, ?sqrt_0, ?sqrt_1, ?atan_0, ?tan_0.
 
 Lemma root_squared a : 0 <= a -> sqrt a ^ 2 = a.
 Proof. intro H. rewrite <- Rsqr_pow2. apply Rsqr_sqrt. assumption. Qed.
@@ -340,6 +351,12 @@ Ltac roots_as_letters :=
       end
     end.
 
+(* What follows from equations alone: what else is known stands in the way. *)
+Ltac by_equations :=
+  first
+    [ assumption
+    | repeat match goal with H : _ > _ |- _ => clear H | H : _ >= _ |- _ => clear H | H : _ <> _ |- _ => clear H end; nsatz ].
+
 Ltac equal_at_point :=
   first
     [ reflexivity
@@ -347,7 +364,8 @@ Ltac equal_at_point :=
     | ring
     | field; nonzero
     | progress known_values; equal_at_point
-    | progress roots_as_letters; first [solve [nsatz] | solve [field_simplify_eq; first [nsatz | nonzero]]] ].
+    | progress rewrite ?sin_plus, ?cos_plus, ?sin_minus, ?cos_minus; equal_at_point
+    | progress roots_as_letters; first [solve [by_equations] | solve [field_simplify_eq; first [by_equations | nonzero]]] ].
 
 (* A closed proposition, by evaluation. *)
 Ltac at_point :=
@@ -361,6 +379,7 @@ Ltac at_point :=
   | |- ?a >= ?b => first [lra | apply Rgt_ge; apply Rminus_gt; enclose | apply Req_ge; equal_at_point]
   | |- ?a <= ?b => first [lra | apply Rlt_le; apply Rminus_gt_0_lt; apply Rgt_lt; enclose | apply Req_le; equal_at_point]
   | |- integer _ => is_integer
+  | |- is_derive _ _ _ => differentiate_smooth
   end.
 
 (* The next hypothesis of a theorem at a point. *)

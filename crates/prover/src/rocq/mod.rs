@@ -4,12 +4,13 @@ mod operations;
 mod printed;
 mod steps;
 mod text;
+mod values;
 
 use super::script::{Decided, Found};
 use super::Decision;
 use claims::{Sheet, Statements};
 use kernel::{
-    At, Certificate, EFFORT, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness,
+    Certificate, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness,
 };
 use operations::{Induction, Printed};
 use printed::Printer;
@@ -19,6 +20,7 @@ use steps::{Before, Ground, Steps};
 use texmath::Symbols;
 pub use text::Unwritten;
 use text::property;
+use values::values;
 
 /// The library that each file requires, in the order in which its files are compiled: the axioms of the kernel, what holds of
 /// sums, integrals and limits, the rules of its steps, and those of claims with operations, all as lemmas.
@@ -576,94 +578,6 @@ impl Theorem {
         text += "fails X.\nQed.\n\nPrint Assumptions fails.\n";
         Ok(text)
     }
-}
-
-/// The values at a point of the symbols and functions that have names, in the order of these.
-fn values(steps: &mut Steps, witness: &With<Witness>) -> Result<Vec<String>, Unwritten> {
-    let mut own = witness.statement.clone();
-    let mut at = At::unchecked(&mut own, &witness.evidence, EFFORT);
-    let symbols: Vec<Symbol> = steps.names.symbols().map(|(symbol, _)| *symbol).collect();
-    let functions: Vec<(u32, u32)> = steps.names.functions().map(|(function, _)| *function).collect();
-    let mut values = Vec::new();
-    for symbol in symbols {
-        if symbol.0 as usize >= at.statement().terms().symbols() {
-            // what only a proof speaks of
-            values.push("0".to_owned());
-            continue;
-        }
-        let term = at.statement().terms_mut().symbol(symbol);
-        let value = at.value(term)?;
-        values.push(closed(at.statement(), value)?);
-    }
-    for &(function, order) in &functions {
-        let named = witness.evidence.functions.iter().find(|(own, ..)| own.0 == function);
-        let Some((_, time, term)) = named else {
-            let is_alone = functions.iter().filter(|(own, _)| *own == function).count() == 1 && order == 0;
-            let table: Vec<_> = witness
-                .evidence
-                .table
-                .iter()
-                .filter(|(own, ..)| own.0 == function)
-                .collect();
-            if !is_alone || table.iter().any(|(_, order, ..)| *order > 0) {
-                return Err(Unwritten::Not("a function given by derivatives at single times"));
-            }
-            let mut points = Vec::new();
-            for (_, _, time, value) in table {
-                let [time, value] = [time, value].map(|term| at.value(*term));
-                points.push([closed(at.statement(), time?)?, closed(at.statement(), value?)?]);
-            }
-            values.push(through(&points));
-            continue;
-        };
-        let mut value = at.value(*term)?;
-        for _ in 0..order {
-            value = at.statement().derivative(value, *time);
-        }
-        let body = closed(at.statement(), value)?;
-        values.push(format!("(fun {RUNNING} : R => {body})"));
-    }
-    Ok(values)
-}
-
-/// The polynomial through points, by the formula of Lagrange.
-fn through(points: &[[String; 2]]) -> String {
-    let mut terms = Vec::new();
-    for (place, [time, value]) in points.iter().enumerate() {
-        let mut term = value.clone();
-        for (_, [other, _]) in points.iter().enumerate().filter(|(other, _)| *other != place) {
-            let _ = write!(term, " * (({RUNNING} - {other}) / ({time} - {other}))");
-        }
-        terms.push(term);
-    }
-    let sum = if terms.is_empty() {
-        "0".to_owned()
-    } else {
-        terms.join(" + ")
-    };
-    format!("(fun {RUNNING} : R => {sum})")
-}
-
-/// The letter of the functions of a point.
-const RUNNING: &str = "u";
-
-/// A term in which one symbol at most is left, which runs.
-fn closed(statement: &Statement, term: Term) -> Result<String, Unwritten> {
-    let mut names = text::Names::default();
-    for inner in statement.terms().inside(term) {
-        if let Node::Symbol(symbol) = statement.terms().node(inner) {
-            names.let_be(*symbol, RUNNING);
-        }
-    }
-    let mut writer = text::Writer {
-        statement,
-        names: &mut names,
-        whole: &BTreeSet::new(),
-        is_short: false,
-        met: BTreeSet::new(),
-        letters: BTreeMap::new(),
-    };
-    writer.term(term)
 }
 
 /// The premise that a given says, of those with its label that in its place.

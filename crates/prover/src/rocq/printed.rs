@@ -169,6 +169,12 @@ impl Reading<'_> {
                 for (place, part) in parts.iter().enumerate() {
                     match part {
                         Tree::Negate(inner) if place > 0 => text += &format!(" - {}", of(inner)?),
+                        Tree::PlusMinus(inner) if place > 0 && self.upper == Some(false) => {
+                            text += &format!(" - {}", of(inner)?);
+                        }
+                        Tree::MinusPlus(inner) if place > 0 && self.upper == Some(true) => {
+                            text += &format!(" - {}", of(inner)?);
+                        }
                         part if place > 0 => text += &format!(" + {}", of(part)?),
                         part => text += &of(part)?,
                     }
