@@ -2,13 +2,17 @@
 
 use crate::common::program::{Scratch, program, scratch};
 use crate::common::sample;
+use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use vibro_audit::claim::{Document, EQUATIONS, Markup, Sheet, vocabulary};
 use vibro_audit::kernel::{Certificate, Inference, Polynomial, With, follows};
 use vibro_audit::number::{Field, Rational, Sequence};
-use vibro_audit::prove::{CHECKER, Decided, Found, Options, SCHEMA, decided, file_names, proof_data, scripts, sealed};
+use vibro_audit::prove::{
+    CHECKER, Decided, Found, LONGEST, NoScript, Options, SCHEMA, decided, file_names, proof_data, scripts, sealed,
+    short_scripts,
+};
 
 /// The Python that has the packages: that of $VIBRO_PYTHON, or the first in the path; none, and a word, without SymPy.
 fn python() -> Option<String> {
@@ -255,6 +259,103 @@ fn scripts_accept_what_the_kernel_accepts() {
         let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{}: {said}", path.display());
     }
+}
+
+/// The short scripts of the claims of a sheet that have some, each with its label.
+fn short(sheet: &Sheet) -> Vec<(String, String)> {
+    let claims = (0..sheet.entries.len()).filter(|&position| sheet.is_claim(position));
+    let scripts = |position: usize| {
+        let label = sheet.entries[position].label.clone();
+        let scripts = short_scripts(sheet, position, &Options::default()).unwrap_or_default();
+        scripts.into_iter().map(move |script| (label.clone(), script))
+    };
+    claims.flat_map(scripts).collect()
+}
+
+#[test]
+fn short_scripts_can_be_read_and_their_asserts_hold() {
+    let (own, paper) = (short(&own()), short(&paper()));
+    let labels = |of: &[(String, String)]| -> BTreeSet<String> { of.iter().map(|(label, _)| label.clone()).collect() };
+    assert!(labels(&own).len() >= 6, "{:?}", labels(&own));
+    let expected = ["impact-law", "9", "10", "11", "12", "14", "15", "16", "19", "20", "21"];
+    assert_eq!(labels(&paper), expected.map(str::to_owned).into_iter().collect());
+    for (label, script) in own.iter().chain(&paper) {
+        let lines: Vec<&str> = script.lines().collect();
+        assert!(lines.len() <= LONGEST, "({label}): {script}");
+        assert!(
+            lines.iter().all(|line| line.chars().count() <= 110),
+            "({label}): {script}"
+        );
+        assert!(script.contains("\nassert "), "({label}): {script}");
+    }
+    let Some(python) = python() else { return };
+    let scratch = scratch("short");
+    for (label, script) in own.iter().chain(&paper) {
+        let (accepted, said) = accepts(&python, &scratch.join("short.py"), script.as_bytes());
+        assert!(
+            accepted && said.trim_end() == "every assert holds",
+            "({label}): {said}\n{script}"
+        );
+    }
+}
+
+#[test]
+fn a_short_script_with_a_wrong_sign_fails() {
+    let Some(python) = python() else { return };
+    let scratch = scratch("wrong");
+    let (own, paper) = (short(&own()), short(&paper()));
+    let breaks = [
+        (
+            &paper,
+            "9",
+            "claim = Zdot_k1 - (-r_B*Zdot_k +",
+            "claim = Zdot_k1 - (r_B*Zdot_k +",
+        ),
+        (
+            &paper,
+            "20",
+            "claim = dt_k1_by_dt_k - (r_B*Zdot_k -",
+            "claim = dt_k1_by_dt_k - (r_B*Zdot_k +",
+        ),
+        (&paper, "16", "Zdot_k = Integer(4)", "Zdot_k = Integer(-4)"),
+        (
+            &own,
+            "angles",
+            "claim = sin(3*x) - (3*sin(x) -",
+            "claim = sin(3*x) - (3*sin(x) +",
+        ),
+    ];
+    for (scripts, label, right, wrong) in breaks {
+        let (_, script) = scripts.iter().find(|(own, _)| own == label).unwrap();
+        let broken = script.replace(right, wrong);
+        assert_ne!(*script, broken, "({label}): {script}");
+        let (accepted, said) = accepts(&python, &scratch.join("wrong.py"), broken.as_bytes());
+        assert!(!accepted && said.contains("AssertionError"), "({label}): {said}");
+    }
+}
+
+#[test]
+fn a_claim_without_a_short_script_is_named_with_the_reason() {
+    let reason = |sheet: &Sheet, label: &str| {
+        let scripts = short_scripts(sheet, sheet.find(label).unwrap(), &Options::default());
+        scripts.unwrap_err()
+    };
+    assert_eq!(reason(&paper(), "3"), NoScript::Laws);
+    assert_eq!(reason(&paper(), "22"), NoScript::Maps);
+    assert_eq!(reason(&paper(), "23"), NoScript::TooLong);
+    let scratch = scratch("told");
+    let ran = program(["audit", "--proof", "proofs", "--format", "sympy"])
+        .within(&*scratch)
+        .run();
+    assert!(ran.stdout.starts_with("label "), "{}", ran.stdout);
+    let said = [
+        "decided claims have no short scripts",
+        "more than 40 lines: (23)",
+        "derivatives along a map: (22)",
+    ];
+    assert!(said.iter().all(|words| ran.stderr.contains(words)), "{}", ran.stderr);
+    let ran = program(["audit", "--format", "sympy"]).within(&*scratch).run();
+    assert!(ran.stderr.contains("--proof DIR"), "{}", ran.stderr);
 }
 
 /// The checker's lines on files of proof data, one each, and whether it accepts them all.

@@ -245,7 +245,11 @@ impl Point<'_> {
             let named = self.witness.functions.iter().find(|(named, ..)| *named == function);
             let meaning = match named {
                 Some(&(_, time, term)) => self.formula(time, term, order)?,
-                None => format!("lambda x: {}", self.table(function, order)?),
+                None => {
+                    // the values are named by symbols: no argument may hide one
+                    let argument = self.printer.free("at");
+                    format!("lambda {argument}: {}[{argument}]", self.table(function, order)?)
+                }
             };
             found.push((name, meaning));
         }
@@ -287,7 +291,7 @@ impl Point<'_> {
                 rows.push(format!("{}: {}", self.expression(time)?, self.exact(value)?));
             }
         }
-        Ok(format!("{{{}}}[x]", rows.join(", ")))
+        Ok(format!("{{{}}}", rows.join(", ")))
     }
 }
 

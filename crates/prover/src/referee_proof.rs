@@ -744,13 +744,18 @@ impl Writer<'_> {
                 self.block.comment(&format!("{so}, {source}{printed}"));
                 return Ok(());
             }
-            let is_number = self.proof.statement.terms().is_closed(goal.term);
+            let mut generators = goal.polynomial.generators().into_iter();
+            let is_number = generators.all(|term| self.proof.statement.terms().is_closed(term));
+            let value = match self.proof.statement.terms().is_closed(goal.term) {
+                true => goal.name.clone(),
+                false => format!("simplify({})", goal.name),
+            };
             let by_itself = match goal.property {
                 Property::Zero => format!("assert is_zero({})", goal.name),
                 _ if goal.polynomial.is_zero() => format!("assert is_zero({})", goal.name),
                 _ if !is_number => return Err(NoScript::Step),
-                Property::Nonzero => format!("assert abs(N({}, 50)) > 0", goal.name),
-                Property::Positive | Property::NonNegative => format!("assert N({}, 50) > 0", goal.name),
+                Property::Nonzero => format!("assert abs(N({value}, 50)) > 0"),
+                Property::Positive | Property::NonNegative => format!("assert N({value}, 50) > 0"),
                 Property::Integer => return Err(NoScript::Step),
             };
             self.block.code(&by_itself, &so);
