@@ -132,18 +132,22 @@ Ltac is_known_nonzero :=
     [ assumption
     | apply Rgt_not_eq; assumption
     | apply PI_neq0
+    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end
     | lra
     | match goal with
       | H : ?q <> 0 |- ?e <> 0 => intro; apply H; lra
       | H : ?q > 0 |- ?e <> 0 => intro; cut (q = 0); [lra|lra]
       end
-    | match goal with |- ?a * ?b <> 0 => apply Rmult_integral_contrapositive_currified; is_known_nonzero end
-    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end ].
+    | match goal with |- ?a * ?b <> 0 => apply Rmult_integral_contrapositive_currified; is_known_nonzero end ].
 
 Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_known_nonzero.
 
 (* Equality of quotients of polynomials. *)
-Ltac same_fraction := first [ring | field; nonzero].
+Ltac same_fraction :=
+  lazymatch goal with
+  | |- context [_ / _] => first [field; nonzero | ring]
+  | _ => first [ring | field; nonzero]
+  end.
 
 (* Printed functions by those of the proof. *)
 Ltac by_definition := unfold tan, sinh, cosh, tanh; rewrite ?abs_is_root.
@@ -298,6 +302,17 @@ Lemma near_itself (x e : R) : 0 < e -> Rabs (x - x) < e.
 Proof. intro P. rewrite Rminus_diag_eq by reflexivity. rewrite Rabs_R0. exact P. Qed.
 
 (* The printed claim from the goal that steps have shown. *)
+Ltac by_sides W :=
+  match type of W with
+  | ?a - ?b = 0 =>
+    match goal with
+    | |- ?l = ?r =>
+      transitivity a;
+      [ first [reflexivity | ring]
+      | transitivity b; [exact (Rminus_diag_uniq _ _ W) | first [reflexivity | ring]] ]
+    end
+  end.
+
 Ltac conclude W :=
   cbv zeta;
   first
@@ -308,6 +323,7 @@ Ltac conclude W :=
         [ exact W
         | exact (Rminus_diag_uniq _ _ W)
         | exact (Rminus_not_eq _ _ W)
+        | by_sides W
         | lra
         | let Z := fresh in intro Z; apply W; lra
         | destruct (Rmult_integral _ _ W); [left | right]; lra
@@ -355,6 +371,7 @@ Ltac at_point :=
   | |- ?a >= ?b => first [lra | apply Rgt_ge; apply Rminus_gt; enclose | apply Req_ge; equal_at_point]
   | |- ?a <= ?b => first [lra | apply Rlt_le; apply Rminus_gt_0_lt; apply Rgt_lt; enclose | apply Req_le; equal_at_point]
   | |- integer _ => is_integer
+  | |- is_derive _ _ _ => cbv beta; differentiate
   end.
 
 (* The next hypothesis of a theorem at a point. *)
