@@ -357,6 +357,7 @@ Ltac equal_at_point :=
     | ring
     | field; nonzero
     | progress known_values; equal_at_point
+    | progress integer_powers; equal_at_point
     | progress roots_as_letters; first [solve [nsatz] | solve [field_simplify_eq; first [nsatz | nonzero]]] ].
 
 (* A closed proposition, by evaluation. *)

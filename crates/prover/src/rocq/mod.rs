@@ -359,7 +359,7 @@ impl Theorem {
                     let slope = steps.full(slope)?;
                     let _ = writeln!(
                         end,
-                        "assert (Y{count} : {derivative} = {slope}) by (apply is_derive_unique; differentiate_smooth).\nrewrite ?Y{count}. clear Y{count}."
+                        "assert (Y{count} : {derivative} = {slope}) by (apply is_derive_unique; cbv zeta; differentiate_smooth).\nrewrite ?Y{count}. clear Y{count}."
                     );
                 }
                 let _ = writeln!(end, "conclude B{place}.");

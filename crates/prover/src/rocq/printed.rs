@@ -199,24 +199,29 @@ impl Reading<'_> {
             found.push(symbol_of(&printed, steps)?);
         }
         match found.as_slice() {
-            &[of, by] => self.entry(of, by, steps),
+            &[of, by] => {
+                let statement = steps.statement().clone();
+                let leads = |map: &&Map| map.of.contains(&of) && map.by.contains(&by);
+                let own = statement.maps().iter().find(leads);
+                let mut outright = statement.outright_maps().iter().filter(leads);
+                let map = own.or_else(|| outright.next().filter(|_| outright.next().is_none()));
+                let map = map.ok_or(Unwritten::Not("a derivative along several maps"))?;
+                self.entry(of, by, map, steps)
+            }
             _ => Err(NO_SYMBOL),
         }
     }
 
     /// A derivative of what a map gives by what it starts from: a symbol of its own, or that of what the map says outright.
-    fn entry(&self, of: Symbol, by: Symbol, steps: &mut Steps) -> Text {
+    fn entry(&self, of: Symbol, by: Symbol, map: &Map, steps: &mut Steps) -> Text {
         let quantity = Quantity::Partial { of, by };
-        let statement = steps.statement();
-        if let Some(place) = statement.quantities().iter().position(|known| *known == quantity) {
-            let symbol = Symbol(u32::try_from(place).unwrap_or(u32::MAX));
-            let term = statement.terms_mut().symbol(symbol);
+        let statement = steps.statement().clone();
+        if map.images.is_empty() {
+            let place = statement.quantities().iter().position(|known| *known == quantity);
+            let symbol = Symbol(u32::try_from(place.ok_or(NO_SYMBOL)?).unwrap_or(u32::MAX));
+            let term = steps.statement().terms_mut().symbol(symbol);
             return steps.full(term);
         }
-        let statement = statement.clone();
-        let leads = |map: &&Map| map.of.contains(&of) && map.by.contains(&by);
-        let map = statement.outright_maps().iter().find(leads);
-        let map = map.ok_or(Unwritten::Not("a derivative along several maps"))?;
         let place = map.of.iter().position(|own| *own == of);
         let image = *place.and_then(|place| map.images.get(place)).ok_or(NO_SYMBOL)?;
         let mut maps = self.decided.goal.symbols.maps();
@@ -273,7 +278,7 @@ impl Reading<'_> {
         if let Some(map) = all.find(|map| map.name == name.to_string()) {
             let mut rows = Vec::new();
             for of in &map.of {
-                let row: Result<Vec<String>, Unwritten> = map.by.iter().map(|by| self.entry(*of, *by, steps)).collect();
+                let row: Result<Vec<String>, Unwritten> = map.by.iter().map(|by| self.entry(*of, *by, map, steps)).collect();
                 rows.push(row?);
             }
             return Ok(rows);
