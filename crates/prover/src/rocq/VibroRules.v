@@ -132,6 +132,7 @@ Ltac is_known_nonzero :=
     [ assumption
     | apply Rgt_not_eq; assumption
     | apply PI_neq0
+    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end
     | lra
     | match goal with
       | H : ?q <> 0 |- ?e <> 0 => intro; apply H; lra
@@ -156,7 +157,11 @@ Ltac is_nonzero :=
 Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_nonzero.
 
 (* Equality of quotients of polynomials. *)
-Ltac same_fraction := first [ring | field; nonzero].
+Ltac same_fraction :=
+  lazymatch goal with
+  | |- context [_ / _] => first [field; nonzero | ring]
+  | _ => first [ring | field; nonzero]
+  end.
 
 (* Printed functions by those of the proof. *)
 Ltac by_definition := unfold tan, sinh, cosh, tanh; rewrite ?abs_is_root.
@@ -311,6 +316,17 @@ Lemma near_itself (x e : R) : 0 < e -> Rabs (x - x) < e.
 Proof. intro P. rewrite Rminus_diag_eq by reflexivity. rewrite Rabs_R0. exact P. Qed.
 
 (* The printed claim from the goal that steps have shown. *)
+Ltac by_sides W :=
+  match type of W with
+  | ?a - ?b = 0 =>
+    match goal with
+    | |- ?l = ?r =>
+      transitivity a;
+      [ first [reflexivity | ring]
+      | transitivity b; [exact (Rminus_diag_uniq _ _ W) | first [reflexivity | ring]] ]
+    end
+  end.
+
 Ltac conclude W :=
   cbv zeta;
   first
@@ -321,6 +337,7 @@ Ltac conclude W :=
         [ exact W
         | exact (Rminus_diag_uniq _ _ W)
         | exact (Rminus_not_eq _ _ W)
+        | by_sides W
         | lra
         | let Z := fresh in intro Z; apply W; lra
         | destruct (Rmult_integral _ _ W); [left | right]; lra
@@ -365,6 +382,7 @@ Ltac equal_at_point :=
     | field; nonzero
     | progress known_values; equal_at_point
     | progress rewrite ?sin_plus, ?cos_plus, ?sin_minus, ?cos_minus; equal_at_point
+    | progress integer_powers; equal_at_point
     | progress roots_as_letters; first [solve [by_equations] | solve [field_simplify_eq; first [by_equations | nonzero]]] ].
 
 (* A closed proposition, by evaluation. *)
@@ -379,7 +397,7 @@ Ltac at_point :=
   | |- ?a >= ?b => first [lra | apply Rgt_ge; apply Rminus_gt; enclose | apply Req_ge; equal_at_point]
   | |- ?a <= ?b => first [lra | apply Rlt_le; apply Rminus_gt_0_lt; apply Rgt_lt; enclose | apply Req_le; equal_at_point]
   | |- integer _ => is_integer
-  | |- is_derive _ _ _ => differentiate_smooth
+  | |- is_derive _ _ _ => cbv beta; differentiate_smooth
   end.
 
 (* The next hypothesis of a theorem at a point. *)

@@ -211,6 +211,9 @@ impl Theorem {
                 None => own.given(number, given, None, &[], steps)?,
             }
         }
+        if !steps.outright.is_empty() {
+            return Err(Unwritten::Not("a premise with a derivative of what a map says outright"));
+        }
         own.claim = match whole {
             None => printer.claim(steps)?,
             Some(printed) => {
@@ -302,7 +305,7 @@ impl Theorem {
             false => {
                 let names = before.names();
                 format!(
-                    "assert ({name} : {}) by (intros {names}; pose proof ({hypothesis} {names}) as C; as_printed C).",
+                    "assert ({name} : {}) by (intros {names}; pose proof ({hypothesis} {names}) as C9; as_printed C9).",
                     before.all(&says)
                 )
             }
@@ -454,6 +457,13 @@ impl Theorem {
                 let by = steps.shown(shown, term)?;
                 let _ = writeln!(end, "assert (B{place} : {}).\n{{ {by}. }}", property(shown, &short));
                 let _ = writeln!(end, "change ({}) in B{place}.", property(shown, &full));
+                for (count, (derivative, slope)) in steps.outright.clone().into_iter().enumerate() {
+                    let slope = steps.full(slope)?;
+                    let _ = writeln!(
+                        end,
+                        "assert (Y{count} : {derivative} = {slope}) by (apply is_derive_unique; cbv zeta; differentiate_smooth).\nrewrite ?Y{count}. clear Y{count}."
+                    );
+                }
                 let conclude = if is_whole { "conclude_claim" } else { "conclude" };
                 let _ = writeln!(end, "{conclude} B{place}.");
             }
@@ -569,9 +579,12 @@ impl Theorem {
     /// The theorem that the proposition fails, by its counterexample.
     fn refuted(mut self, steps: &mut Steps, witness: &With<Witness>) -> Result<String, Unwritten> {
         self.of_names_in(&[], steps);
+        if !steps.outright.is_empty() {
+            return Err(Unwritten::Not("a counterexample with a derivative along a map"));
+        }
         let values = values(steps, witness)?;
-        let mut text = format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W.\n", self.stated(steps));
-        let _ = writeln!(text, "assert (X := W {}).\ncbv beta in X.", values.join(" "));
+        let mut text = format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W9.\n", self.stated(steps));
+        let _ = writeln!(text, "assert (X := W9 {}).\ncbv beta in X.", values.join(" "));
         for _ in &self.hypotheses {
             text += "meet X.\n";
         }
@@ -597,7 +610,7 @@ fn premise_of(decided: &Decided, number: usize) -> Option<&claims::Premise> {
 }
 
 /// A proposition about quantities that move, in which abbreviations are said anew.
-fn abbreviated(says: &str, steps: &mut Steps) -> Result<String, Unwritten> {
+pub fn abbreviated(says: &str, steps: &mut Steps) -> Result<String, Unwritten> {
     let definitions: Vec<_> = steps.statement().definitions().iter().map(|(s, t)| (*s, *t)).collect();
     let mut lets: Vec<(String, String)> = Vec::new();
     let mut text = says.to_owned();

@@ -5,9 +5,9 @@ use super::text::{Unwritten, number};
 use crate::formula::{Formulas, Meaning, Unknown, Within};
 use crate::script::Decided;
 use claims::Premise;
-use kernel::{Function, FunctionOf, Quantity, Symbol};
+use kernel::{Function, FunctionOf, Node, Quantity, Step as Map, Symbol};
 use texmath::{
-    Condition, Elementary, Equation, Invariant, Map, Name, Operation, Relation, Series, Tree, pair_of,
+    Condition, Elementary, Equation, Invariant, Map as Equations, Name, Operation, Relation, Series, Tree, pair_of,
 };
 
 /// The writer of the formulas of one question.
@@ -304,9 +304,58 @@ impl Reading<'_> {
             found.push(symbol_of(&printed, steps)?);
         }
         match found.as_slice() {
-            &[of, by] => entry(of, by, steps),
+            &[of, by] => {
+                let statement = steps.statement().clone();
+                let leads = |map: &&Map| map.of.contains(&of) && map.by.contains(&by);
+                let own = statement.maps().iter().find(leads);
+                let mut outright = statement.outright_maps().iter().filter(leads);
+                let map = own.or_else(|| outright.next().filter(|_| outright.next().is_none()));
+                let map = map.ok_or(Unwritten::Not("a derivative along several maps"))?;
+                self.entry(of, by, map, steps)
+            }
             _ => Err(NO_SYMBOL),
         }
+    }
+
+    /// A derivative of what a map gives by what it starts from: a symbol of its own, or that of what the map says outright.
+    fn entry(&self, of: Symbol, by: Symbol, map: &Map, steps: &mut Steps) -> Text {
+        let quantity = Quantity::Partial { of, by };
+        let statement = steps.statement().clone();
+        if map.images.is_empty() {
+            let place = statement.quantities().iter().position(|known| *known == quantity);
+            let symbol = Symbol(u32::try_from(place.ok_or(NO_SYMBOL)?).unwrap_or(u32::MAX));
+            let term = steps.statement().terms_mut().symbol(symbol);
+            return steps.full(term);
+        }
+        let place = map.of.iter().position(|own| *own == of);
+        let image = *place.and_then(|place| map.images.get(place)).ok_or(NO_SYMBOL)?;
+        let mut maps = self.decided.goal.symbols.maps();
+        let Some(Equations::Equations(equations)) = maps.find_map(|(name, own)| (name.to_string() == map.name).then_some(own))
+        else {
+            return Err(Unwritten::Not("a derivative along a map that says outright what comes next"));
+        };
+        let printed = statement.terms().symbol_name(of);
+        let says = equations.iter().find(|equation| match &equation.left {
+            Tree::Symbol(left, _) => self.within.moving(left).as_deref() == Some(printed),
+            _ => false,
+        });
+        let says = self.tree(&says.ok_or(NO_SYMBOL)?.right, steps)?;
+        let says = super::abbreviated(&says, steps)?;
+        let written = steps.statement().written_out(image);
+        let statement = steps.statement().clone();
+        for inner in statement.terms().inside(written) {
+            if let Node::Symbol(symbol) = statement.terms().node(inner)
+                && statement.moves_along(*symbol)
+                && !map.by.contains(symbol)
+            {
+                return Err(Unwritten::Not("a quantity that moves along a map without being of it"));
+            }
+        }
+        let slope = steps.statement().along(image, map, by);
+        let by = steps.names.symbol(&statement, by);
+        let text = format!("(Derive (fun {by} : R => {says}) {by})");
+        steps.outright.insert(text.clone(), slope);
+        Ok(text)
     }
 
     /// The trace or the determinant of a matrix of derivatives, written out.
@@ -329,15 +378,19 @@ impl Reading<'_> {
     }
 
     fn matrix(&self, name: &Name, steps: &mut Steps) -> Result<Vec<Vec<String>>, Unwritten> {
-        let maps = steps.statement().maps().iter();
-        let map = maps.clone().find(|map| map.name == name.to_string()).cloned();
-        if let Some(map) = map {
-            let row = |of: &Symbol| map.by.iter().map(|by| entry(*of, *by, steps)).collect();
-            return map.of.iter().map(row).collect();
+        let statement = steps.statement().clone();
+        let mut all = statement.maps().iter().chain(statement.outright_maps());
+        if let Some(map) = all.find(|map| map.name == name.to_string()) {
+            let mut rows = Vec::new();
+            for of in &map.of {
+                let row: Result<Vec<String>, Unwritten> = map.by.iter().map(|by| self.entry(*of, *by, map, steps)).collect();
+                rows.push(row?);
+            }
+            return Ok(rows);
         }
         let maps = self.decided.goal.symbols.maps();
         let map = maps.into_iter().find_map(|(known, map)| (known == name).then_some(map));
-        let Some(Map::Product(factors)) = map else {
+        let Some(Equations::Product(factors)) = map else {
             return Err(Unwritten::Not("a map that says outright what comes next"));
         };
         let mut product: Option<Vec<Vec<String>>> = None;
@@ -450,19 +503,6 @@ fn value(unknown: &Unknown, at: &str, steps: &mut Steps) -> Text {
     }
     let name = steps.names.function(&statement, function, order);
     Ok(format!("({name} {at})"))
-}
-
-/// An entry of a matrix of derivatives.
-fn entry(of: Symbol, by: Symbol, steps: &mut Steps) -> Text {
-    let quantity = Quantity::Partial { of, by };
-    let statement = steps.statement();
-    let place = statement.quantities().iter().position(|known| *known == quantity);
-    let place = place.ok_or(Unwritten::Not(
-        "a derivative along a map that says outright what comes next",
-    ))?;
-    let symbol = Symbol(u32::try_from(place).unwrap_or(u32::MAX));
-    let term = statement.terms_mut().symbol(symbol);
-    steps.full(term)
 }
 
 /// The determinant of a square matrix, by its first row.

@@ -3,7 +3,7 @@
 use super::text::{Names, Unwritten, Writer, number, property};
 use kernel::{
     Axiom, AxiomRow, Certificate, Checker, EFFORT, FunctionOf, Guard, Inference, Instance, LawSource, Node, Polynomial,
-    Property, Quotient, Statement, Summand, Symbol, Term, vanishes,
+    Property, Quantity, Quotient, Statement, Summand, Symbol, Term, vanishes,
 };
 use num_traits::{One, Zero};
 use numbers::Rational;
@@ -49,6 +49,8 @@ pub struct Steps<'a> {
     times: BTreeMap<usize, (Symbol, Option<i32>)>,
     /// The flights that are spoken of.
     pub flights: BTreeSet<i32>,
+    /// The derivatives of what maps say outright that are written, with what they are.
+    pub outright: BTreeMap<String, Term>,
     /// How many times have been bound.
     bound: usize,
     /// Letters that printed formulas bind, with the names that they have there, the innermost last.
@@ -124,6 +126,7 @@ impl<'a> Steps<'a> {
             on: Grounds::new(),
             times: BTreeMap::new(),
             flights: BTreeSet::new(),
+            outright: BTreeMap::new(),
             bound: 0,
             letters: Vec::new(),
         }
@@ -241,12 +244,18 @@ impl<'a> Steps<'a> {
     /// The times between which a flight lies.
     fn ends(&mut self, flight: i32) -> Result<[String; 2], Unwritten> {
         self.flights.insert(flight);
-        let times = self.checker.statement.times().clone();
-        let end = |index: i32| times.get(&index).copied();
-        let (Some(from), Some(to)) = (end(flight), end(flight + 1)) else {
-            return Err(Unwritten::Not("a flight whose ends have no names"));
-        };
-        let [from, to] = [from, to].map(|symbol| self.checker.statement.terms_mut().symbol(symbol));
+        let statement = &mut *self.checker.statement;
+        let family = statement.quantities().iter().find_map(|quantity| match quantity {
+            Quantity::Time { family, .. } => Some(family.clone()),
+            _ => None,
+        });
+        let family = family.ok_or(Unwritten::Not("a flight whose ends have no names"))?;
+        let letter = statement.letter().to_owned();
+        let ends = [flight, flight + 1].map(|index| match statement.times().get(&index) {
+            Some(known) => *known,
+            None => statement.time(&family, index, &letter),
+        });
+        let [from, to] = ends.map(|symbol| self.checker.statement.terms_mut().symbol(symbol));
         Ok([self.full(from)?, self.full(to)?])
     }
 
@@ -850,9 +859,9 @@ impl<'a> Steps<'a> {
         let own = property(shown, &own);
         let _ = write!(
             text,
-            "assert (B : {own}) by first [exact {whole} | generalize {whole}; lra].\n"
+            "assert (B9 : {own}) by first [exact {whole} | generalize {whole}; lra].\n"
         );
-        text += &self.of_term(shown, term, "B")?;
+        text += &self.of_term(shown, term, "B9")?;
         Ok(text)
     }
 
@@ -929,20 +938,20 @@ impl<'a> Steps<'a> {
         }
         let _ = write!(
             text,
-            "assert (B : {full_slope} = 0).\n{{ change ({full} = 0). refine (slope_of_zero_near (fun {by} => {moved}) {by} _ _ _).\n\
-             {{ destruct N{map}_{equation} as (e & P & Q). exists (mkposreal e P). intros u U. pose proof (Q {}) as X. cbv beta zeta in X. as_printed X. }}\n\
+            "assert (B9 : {full_slope} = 0).\n{{ change ({full} = 0). refine (slope_of_zero_near (fun {by} => {moved}) {by} _ _ _).\n\
+             {{ destruct N{map}_{equation} as (W0 & W1 & W2). exists (mkposreal W0 W1). intros W3 W4. pose proof (W2 {}) as W5. cbv beta zeta in W5. as_printed W5. }}\n\
              rewrite {rewrites}. differentiate_smooth. }}\n",
             starts
                 .iter()
-                .map(|start| if *start == by { "u".to_owned() } else { start.clone() })
+                .map(|start| if *start == by { "W3".to_owned() } else { start.clone() })
                 .chain(starts.iter().map(|start| match *start == by {
-                    true => "U".to_owned(),
-                    false => "(near_itself _ _ P)".to_owned(),
+                    true => "W4".to_owned(),
+                    false => "(near_itself _ _ W1)".to_owned(),
                 }))
                 .collect::<Vec<_>>()
                 .join(" ")
         );
-        text += &self.of_term(Property::Zero, slope, "B")?;
+        text += &self.of_term(Property::Zero, slope, "B9")?;
         Ok(text)
     }
 
@@ -1167,8 +1176,8 @@ impl<'a> Steps<'a> {
         let written = |own: &mut Self, term| own.write(true, &mut |writer| writer.written(term));
         let (left, right) = (written(self, left)?, written(self, right)?);
         Ok(format!(
-            "assert (A : {a} - {b} = 0).\n{{ {by}. }}\nassert (B : {left} = {right}) by (f_equal; exact (Rminus_diag_uniq _ _ A)).\n\
-             refine (numerator_zero ({left_name} - {right_name}) 1 _ (Rminus_diag_eq _ _ B) _); ring"
+            "assert (A9 : {a} - {b} = 0).\n{{ {by}. }}\nassert (B9 : {left} = {right}) by (f_equal; exact (Rminus_diag_uniq _ _ A9)).\n\
+             refine (numerator_zero ({left_name} - {right_name}) 1 _ (Rminus_diag_eq _ _ B9) _); ring"
         ))
     }
 
@@ -1212,10 +1221,10 @@ impl<'a> Steps<'a> {
         let own = self.short(instance.term)?;
         let _ = write!(
             text,
-            "assert (B : {}) by exact ({call}).\n",
+            "assert (B9 : {}) by exact ({call}).\n",
             property(instance.property, &own)
         );
-        text += &self.of_term(instance.property, instance.term, "B")?;
+        text += &self.of_term(instance.property, instance.term, "B9")?;
         Ok(text)
     }
 
@@ -1279,13 +1288,13 @@ impl<'a> Steps<'a> {
                 own_before.flight = Some(format!("{from} <= {at} <= {to}"));
                 format!(
                     "refine (slope_in_flight (fun {at} => {of}) (fun {at} => {near}) {from} {to} T0 _ _ _ I0 _ _); \
-                     [assumption | intros u J {taken}; exact ({law} u J {}) | near_by | differentiate_smooth]",
+                     [assumption | intros W0 W1 {taken}; exact ({law} W0 W1 {}) | near_by | differentiate_smooth]",
                     names.join(" ")
                 )
             }
             None => format!(
                 "refine (slope_nearby (fun {at} => {of}) (fun {at} => {near}) T0 _ _ _ _); \
-                 [intros u {taken}; exact ({law} u {}) | near_by | differentiate_smooth]",
+                 [intros W0 {taken}; exact ({law} W0 {}) | near_by | differentiate_smooth]",
                 names.join(" ")
             ),
         };
@@ -1324,7 +1333,7 @@ impl<'a> Steps<'a> {
                 let (full, by) = (own.full(of)?, own.shown(shown, of)?);
                 let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &full));
             }
-            Ok(format!("{text}assert (B : {says}).\n{{ {by}. }}\n"))
+            Ok(format!("{text}assert (B9 : {says}).\n{{ {by}. }}\n"))
         });
         self.checker.run_over(running);
         self.checker.back_to(mark);
@@ -1374,7 +1383,7 @@ impl<'a> Steps<'a> {
             conditions: Vec::new(),
         };
         let ends = self.at_end(&general, at);
-        let rewrites: Vec<String> = ends.iter().map(|end| format!("rewrite ?{end} in B. ")).collect();
+        let rewrites: Vec<String> = ends.iter().map(|end| format!("rewrite ?{end} in B9. ")).collect();
         let mut conditions = String::new();
         let mut taken = String::new();
         let own = self.general(LawSource::Derived(number))?;
@@ -1387,19 +1396,19 @@ impl<'a> Steps<'a> {
         let (within, intro, call) = match flight {
             Some(flight) => {
                 let [from, to] = self.ends(flight)?;
-                let call = format!("(constant_in_flight (fun {name} => {of}) {from} {to} Z {name} {at} {during} ltac:(within_flight))");
+                let call = format!("(constant_in_flight (fun {name} => {of}) {from} {to} Z9 {name} {at} {during} ltac:(within_flight))");
                 let within = format!("{from} <= {name} <= {to} -> ");
                 (within, format!("intros {name} {during}. "), call)
             }
             None => {
-                let call = format!("(constant_everywhere (fun {name} => {of}) Z {name} {at})");
+                let call = format!("(constant_everywhere (fun {name} => {of}) Z9 {name} {at})");
                 (String::new(), format!("intros {name}. "), call)
             }
         };
         Ok(format!(
-            "assert (L{number} : forall {name} : R, {within}{conditions}{of} - {there} = 0).\n{{ assert (Z : forall {name} : R, {within}is_derive (fun {name} => {of}) {name} 0).\n\
-             {{ {intro}\n{poses}{script}refine (derivative_is _ _ ({slope}) _ B); differentiate_smooth. }}\n\
-             {intro}intros {taken}. pose proof {call} as B. cbv beta in B. {}exact B. }}\n",
+            "assert (L{number} : forall {name} : R, {within}{conditions}{of} - {there} = 0).\n{{ assert (Z9 : forall {name} : R, {within}is_derive (fun {name} => {of}) {name} 0).\n\
+             {{ {intro}\n{poses}{script}refine (derivative_is _ _ ({slope}) _ B9); differentiate_smooth. }}\n\
+             {intro}intros {taken}. pose proof {call} as B9. cbv beta in B9. {}exact B9. }}\n",
             rewrites.concat()
         ))
     }

@@ -67,7 +67,7 @@ impl Names {
     fn new_name(&mut self, printed: &str) -> String {
         let mut name = plain(printed);
         let is_ours = |name: &str| {
-            let rest = name.trim_start_matches(|c: char| "gABCDEFGHIJKLMNOPQSTUVWXZ".contains(c));
+            let rest = name.trim_start_matches(|c: char| "gABCDEFGHIJKLMNOPQSTUVWXYZ".contains(c));
             rest.len() + 1 == name.len() && rest.chars().all(|c| c.is_ascii_digit()) && !rest.is_empty()
         };
         while TAKEN.contains(&name.as_str()) || is_ours(&name) || self.taken.contains(&name) {
