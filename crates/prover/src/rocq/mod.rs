@@ -140,6 +140,8 @@ struct Theorem {
     bridges: Vec<String>,
     /// What replaces the operations of the claim by their values, where it is one that holds such.
     values: Option<String>,
+    /// The proof of a claim that needs no goal.
+    proof: Option<String>,
     /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
     is_whole: bool,
 }
@@ -160,6 +162,7 @@ impl Theorem {
             claim_comment: comment(&decided.question.equation.to_string()),
             bridges: Vec::new(),
             values: None,
+            proof: None,
             is_whole: whole.is_some(),
         };
         let printer = Printer::new(decided);
@@ -202,8 +205,16 @@ impl Theorem {
             None => printer.claim(decided, steps)?,
             Some(printed) => {
                 own.claim_comment = comment(&printed.equation.to_string());
-                own.values = Some(printed.values(decided, steps)?);
-                Printer::of_operations(decided).relation(printed.equation, None, steps)?
+                match printed.valued(decided, steps)? {
+                    Some(valued) => {
+                        own.proof = Some(valued.proof);
+                        valued.claim
+                    }
+                    None => {
+                        own.values = Some(printed.values(decided, steps)?);
+                        Printer::of_operations(decided).relation(printed.equation, None, steps)?
+                    }
+                }
             }
         };
         Ok(own)
@@ -324,7 +335,10 @@ impl Theorem {
         steps: &mut Steps,
         inferences: &[kernel::Inference],
     ) -> Result<String, Unwritten> {
-        let goals: Vec<(Property, Term)> = decided.question.statement.goal().to_vec();
+        let goals: Vec<(Property, Term)> = match &self.proof {
+            Some(_) => Vec::new(),
+            None => decided.question.statement.goal().to_vec(),
+        };
         let is_whole = self.is_whole;
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
             let mut end = String::new();
@@ -352,6 +366,7 @@ impl Theorem {
             }
         }
         let named = steps.named(&named)?;
+        let script = self.proof.take().unwrap_or(script);
         let values = self.values.take().unwrap_or_default();
         self.of_names_in(&[&script, &named, &values], steps);
         let mut text = format!("Theorem holds :\n{}.\nProof.\n", self.stated(steps));
