@@ -464,7 +464,17 @@ Proof.
   - apply limit_div; [now apply S | now apply S | exact M].
 Qed.
 
-Ltac limit_number := cbv beta; cbn [Nat.pred]; first [lra | solve [well_known_values; first [lra | equal_at_point | same_value]] | same_value | at_point | enclose | solve [numerals; integer_powers; well_known_values; first [same_value | lra | nonzero | side_condition]] | side_condition].
+Ltac limit_number :=
+  cbv beta; cbn [Nat.pred]; numerals;
+  first
+  [ lra
+  | solve [field; nonzero]
+  | solve [well_known_values; first [lra | field; repeat split; lra | nonzero | equal_at_point | same_value]]
+  | same_value
+  | at_point
+  | enclose
+  | solve [integer_powers; well_known_values; first [same_value | lra | nonzero | side_condition]]
+  | side_condition ].
 
 Ltac limit_here := apply limit_value; [is_continuous | limit_number].
 
@@ -531,3 +541,100 @@ Proof.
   apply (is_lim_comp (fun y => y * exp y) (fun t => c * t) p_infty 0 m_infty); [exact is_lim_mul_exp_m | now apply lim_linear_m |].
   exists 0. discriminate.
 Qed.
+
+(* L'Hopital's rule at a point. *)
+Lemma cauchy : forall (f g f' g' : R -> R) (a b : R), a < b ->
+  (forall c, a < c < b -> is_derive f c (f' c)) -> (forall c, a < c < b -> is_derive g c (g' c)) ->
+  (forall c, a <= c <= b -> continuous f c) -> (forall c, a <= c <= b -> continuous g c) ->
+  exists c, a < c < b /\ (g b - g a) * f' c = (f b - f a) * g' c.
+Proof.
+  intros f g f' g' a b L F G Cf Cg.
+  assert (pr1 : forall c, a < c < b -> derivable_pt f c) by (intros c P; apply ex_derive_Reals_0; exists (f' c); now apply F).
+  assert (pr2 : forall c, a < c < b -> derivable_pt g c) by (intros c P; apply ex_derive_Reals_0; exists (g' c); now apply G).
+  destruct (MVT f g a b pr1 pr2 L) as [c [P E]].
+  - intros c P. apply continuity_pt_filterlim. now apply Cf.
+  - intros c P. apply continuity_pt_filterlim. now apply Cg.
+  - exists c. split; [exact P |]. rewrite !Derive_Reals in E.
+    rewrite (is_derive_unique f c (f' c) (F c P)), (is_derive_unique g c (g' c) (G c P)) in E. exact E.
+Qed.
+
+Lemma lhopital : forall (f g f' g' : R -> R) (x l d : R), 0 < d ->
+  (forall t, t <> x -> Rabs (t - x) < d -> is_derive f t (f' t)) ->
+  (forall t, t <> x -> Rabs (t - x) < d -> is_derive g t (g' t)) ->
+  (forall t, t <> x -> Rabs (t - x) < d -> g' t <> 0) ->
+  continuous f x -> continuous g x -> f x = 0 -> g x = 0 ->
+  is_lim (fun t => f' t / g' t) x l -> is_lim (fun t => f t / g t) x l.
+Proof.
+  intros f g f' g' x l d D F G N Cf Cg Zf Zg L.
+  assert (K : forall h h' : R -> R, (forall t, t <> x -> Rabs (t - x) < d -> is_derive h t (h' t)) -> continuous h x ->
+    forall t, Rabs (t - x) < d -> continuous h t).
+  { intros h h' H C t T. destruct (Req_dec t x) as [-> | Q]; [exact C | exact (Cont_derive _ _ _ (H t Q T))]. }
+  assert (M : forall t, t <> x -> Rabs (t - x) < d ->
+    exists c, c <> x /\ Rabs (c - x) < Rabs (t - x) /\ f t / g t = f' c / g' c).
+  { intros t Q T. destruct (Rlt_or_le x t) as [P | P].
+    - rewrite Rabs_right in T by lra.
+      assert (W : forall c, x <= c <= t -> Rabs (c - x) < d) by (intros c Hc; rewrite Rabs_right; lra).
+      destruct (cauchy f g f' g' x t P) as [c [Hc E]].
+      { intros c Hc. apply F; [lra | apply W; lra]. } { intros c Hc. apply G; [lra | apply W; lra]. }
+      { intros c Hc. apply (K f f' F Cf), W, Hc. } { intros c Hc. apply (K g g' G Cg), W, Hc. }
+      destruct (cauchy (fun y => y) g (fun _ => 1) g' x t P) as [e [He E']].
+      { intros; apply D_id. } { intros y Hy. apply G; [lra | apply W; lra]. }
+      { intros; apply Cont_id. } { intros y Hy. apply (K g g' G Cg), W, Hy. }
+      rewrite Zf, Zg in *. 
+      assert (Ne : g' e <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nc : g' c <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nt : g t <> 0).
+      { replace (g t) with ((t - x) * g' e) by lra. apply Rmult_integral_contrapositive_currified; [lra | exact Ne]. }
+      exists c. split; [lra |]. split; [rewrite !Rabs_right; lra |].
+      apply (Rmult_eq_reg_r (g t * g' c)); [| now apply Rmult_integral_contrapositive_currified].
+      replace (f t / g t * (g t * g' c)) with (f t * g' c) by (field; exact Nt).
+      replace (f' c / g' c * (g t * g' c)) with (g t * f' c) by (field; exact Nc). lra.
+    - assert (P' : t < x) by (destruct P as [P | P]; [exact P | exfalso; apply Q; exact P]).
+      rewrite Rabs_left in T by lra.
+      assert (W : forall c, t <= c < x -> Rabs (c - x) < d) by (intros c Hc; rewrite Rabs_left; lra).
+      assert (W' : forall c, t <= c <= x -> Rabs (c - x) < d) by (intros c Hc; rewrite Rabs_left1; lra).
+      destruct (cauchy f g f' g' t x P') as [c [Hc E]].
+      { intros c Hc. apply F; [lra | apply W; lra]. } { intros c Hc. apply G; [lra | apply W; lra]. }
+      { intros c Hc. apply (K f f' F Cf), W', Hc. } { intros c Hc. apply (K g g' G Cg), W', Hc. }
+      destruct (cauchy (fun y => y) g (fun _ => 1) g' t x P') as [e [He E']].
+      { intros; apply D_id. } { intros y Hy. apply G; [lra | apply W; lra]. }
+      { intros; apply Cont_id. } { intros y Hy. apply (K g g' G Cg), W', Hy. }
+      rewrite Zf, Zg in *.
+      assert (Ne : g' e <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nc : g' c <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nt : g t <> 0).
+      { replace (g t) with ((t - x) * g' e) by lra. apply Rmult_integral_contrapositive_currified; [lra | exact Ne]. }
+      exists c. split; [lra |]. split; [rewrite !Rabs_left; lra |].
+      apply (Rmult_eq_reg_r (g t * g' c)); [| now apply Rmult_integral_contrapositive_currified].
+      replace (f t / g t * (g t * g' c)) with (f t * g' c) by (field; exact Nt).
+      replace (f' c / g' c * (g t * g' c)) with (g t * f' c) by (field; exact Nc). lra. }
+  apply is_lim_spec. apply is_lim_spec in L. intro eps. destruct (L eps) as [r H].
+  exists (mkposreal (Rmin r d) (Rmin_pos _ _ (cond_pos r) D)). intros t B Q.
+  assert (B' : Rabs (t - x) < Rmin r d) by exact B.
+  destruct (M t Q) as [c [C1 [C2 ->]]].
+  - apply Rlt_le_trans with (1 := B'), Rmin_r.
+  - apply H; [| exact C1]. apply Rlt_trans with (1 := C2). apply Rlt_le_trans with (1 := B'), Rmin_l.
+Qed.
+
+Ltac near_facts := repeat match goal with H : Rabs _ < _ |- _ => apply Rabs_def2 in H end.
+
+Ltac slope_is_nonzero :=
+  cbv beta; cbn [Nat.pred]; numerals; near_facts;
+  first [nonzero | side_condition | lra | (intro; match goal with Q : ?t <> ?x |- _ => apply Q; nra end)].
+
+Ltac by_lhopital :=
+  lazymatch goal with
+  | |- is_lim (fun t => @?F t / @?G t) (Finite ?a) (Finite ?v) =>
+    first
+    [ solve [limit_of_quotient F G a]
+    | eapply (lhopital F G _ _ a v (1 / 4));
+      [ lra
+      | intros; near_facts; by_rules_at
+      | intros; near_facts; by_rules_at
+      | intros; slope_is_nonzero
+      | is_continuous
+      | is_continuous
+      | limit_number
+      | limit_number
+      | cbv beta; cbn [Nat.pred]; first [solve [limit_here] | by_lhopital] ] ]
+  end.

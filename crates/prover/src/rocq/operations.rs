@@ -307,6 +307,7 @@ impl Printed<'_> {
                     let above = printer.function(above, by, None, steps)?;
                     let below = printer.function(below, by, None, steps)?;
                     ways.push(format!("limit_of_quotient {above} {below} {at}"));
+                    ways.push("by_lhopital".into());
                 }
                 Ok(Some(Valued {
                     claim: format!("is_lim {function} {at} {value}"),
