@@ -53,8 +53,24 @@ Ltac plain_arguments :=
     | replace x with 1 by (first [lra | field; nonzero]) ]
   end.
 
+Lemma sqrt_is : forall x y : R, 0 <= y -> x = y * y -> sqrt x = y.
+Proof. intros x y Y ->. now apply sqrt_square. Qed.
+
+Ltac root_is x y := replace (sqrt x) with y by (symmetry; apply sqrt_is; lra).
+Ltac higher_root_is n x y := replace (root n x) with y by (symmetry; apply RootUnique; [lia | lra | lra]).
+
+Ltac root_numbers :=
+  repeat match goal with
+  | |- context [sqrt ?x] =>
+    first
+    [ root_is x 0 | root_is x 1 | root_is x 2 | root_is x 3 | root_is x 4 | root_is x 5 | root_is x 6 | root_is x 7 | root_is x 8
+    | root_is x 9 | root_is x 10 | root_is x (1 / 2) | root_is x (3 / 2) | root_is x (5 / 4) ]
+  | |- context [root ?n ?x] =>
+    first [higher_root_is n x 0 | higher_root_is n x 1 | higher_root_is n x 2 | higher_root_is n x 3 | higher_root_is n x 4]
+  end.
+
 Ltac well_known_values :=
-  plain_arguments;
+  plain_arguments; root_numbers;
   rewrite ?ln_exp, ?atan_1, ?asin_1, ?asin_0, ?acos_0, ?acos_1;
   known_values.
 
@@ -428,3 +444,197 @@ Ltac step_by_algebra n H :=
     | ?l > ?r => first [nra | solve [power_at n; nra] | solve [factorial_at n; intro; power_at n; nra]]
     | ?l >= ?r => first [nra | solve [power_at n; nra] | solve [factorial_at n; intro; power_at n; nra]]
     end ].
+
+(* Limits of quotients of what is 0 at the point, by the derivatives there. *)
+Lemma limit_quotient : forall (f g : R -> R) (x l m v : R), is_derive f x l -> is_derive g x m -> m <> 0 ->
+  f x = 0 -> g x = 0 -> l / m = v -> is_lim (fun t => f t / g t) x v.
+Proof.
+  intros f g x l m v F G M Zf Zg <-.
+  assert (S : forall (h : R -> R) (k : R), is_derive h x k -> h x = 0 -> is_lim (fun t => h t / (t - x)) x k).
+  { intros h k H Z. apply is_derive_Reals in H. apply is_lim_spec. intro eps.
+    destruct (H eps (cond_pos eps)) as [d D]. exists d. intros t B N.
+    unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+    assert (N' : t - x <> 0) by (intro Q; apply N; lra). specialize (D (t - x) N' B).
+    assert (X : x + (t - x) = t) by lra. rewrite X, Z, Rminus_0_r in D. exact D. }
+  apply (is_lim_ext_loc (fun t => (f t / (t - x)) / (g t / (t - x)))).
+  - exists (mkposreal 1 Rlt_0_1). intros t _ N.
+    destruct (Req_dec (g t) 0) as [E | E].
+    + rewrite E. unfold Rdiv. rewrite !Rmult_0_l, !Rinv_0. ring.
+    + field. split; [exact E | intro Q; apply N; lra].
+  - apply limit_div; [now apply S | now apply S | exact M].
+Qed.
+
+Ltac limit_number :=
+  cbv beta; cbn [Nat.pred]; numerals;
+  first
+  [ lra
+  | solve [field; nonzero]
+  | solve [well_known_values; first [lra | field; repeat split; lra | nonzero | equal_at_point | same_value]]
+  | same_value
+  | at_point
+  | enclose
+  | solve [integer_powers; well_known_values; first [same_value | lra | nonzero | side_condition]]
+  | side_condition ].
+
+Ltac limit_here := apply limit_value; [is_continuous | limit_number].
+
+Ltac limit_of_quotient F G a :=
+  eapply (limit_quotient F G a); [by_rules | by_rules | limit_number | limit_number | limit_number | limit_number].
+
+(* Improper integrals at ends where the integrand has no value. *)
+Lemma improper : forall (F f : R -> R) (Fa Fb : (R -> Prop) -> Prop) (la lb v : R),
+  Filter Fa -> Filter Fb ->
+  filter_prod Fa Fb (fun ab => forall x, Rmin (fst ab) (snd ab) <= x <= Rmax (fst ab) (snd ab) ->
+    is_derive F x (f x) /\ continuous f x) ->
+  filterlim F Fa (locally la) -> filterlim F Fb (locally lb) -> lb - la = v ->
+  is_RInt_gen f Fa Fb v.
+Proof. intros F f Fa Fb la lb v A B D LA LB <-. now apply (integral_between F f Fa Fb la lb). Qed.
+
+Ltac improper_by F :=
+  lazymatch goal with
+  | |- is_RInt_gen ?f (at_right ?a) (at_point ?b) ?v =>
+    replace v with (F b - F a); [apply (integral_singular_left F); [try side_condition | is_continuous | intros; first [solve [differentiate; first [same_value | multiple_angles]] | solve [differentiate]] | intros; is_continuous] | limit_number]
+  | |- is_RInt_gen ?f (at_point ?a) (at_left ?b) ?v =>
+    replace v with (F b - F a); [apply (integral_singular_right F); [try side_condition | is_continuous | intros; first [solve [differentiate; first [same_value | multiple_angles]] | solve [differentiate]] | intros; is_continuous] | limit_number]
+  end.
+
+(* Integrals to infinity, by the limits of the antiderivative. *)
+Lemma to_infinity : forall (F f : R -> R) (a l v : R),
+  (forall x, a <= x -> is_derive F x (f x)) -> (forall x, a <= x -> continuous f x) -> is_lim F p_infty l -> l - F a = v ->
+  is_RInt_gen f (at_point a) (Rbar_locally p_infty) v.
+Proof. intros F f a l v D C L <-. now apply integral_to_infinity. Qed.
+
+Lemma from_infinity : forall (F f : R -> R) (b l v : R),
+  (forall x, x <= b -> is_derive F x (f x)) -> (forall x, x <= b -> continuous f x) -> is_lim F m_infty l -> F b - l = v ->
+  is_RInt_gen f (Rbar_locally m_infty) (at_point b) v.
+Proof. intros F f b l v D C L <-. now apply integral_from_infinity. Qed.
+
+Lemma whole_line : forall (F f : R -> R) (l m v : R),
+  (forall x, is_derive F x (f x)) -> (forall x, continuous f x) -> is_lim F m_infty l -> is_lim F p_infty m -> m - l = v ->
+  is_RInt_gen f (Rbar_locally m_infty) (Rbar_locally p_infty) v.
+Proof. intros F f l m v D C L M <-. now apply (integral_whole_line F). Qed.
+
+Lemma lim_linear_p : forall c : R, c > 0 -> is_lim (fun t => c * t) p_infty p_infty.
+Proof.
+  intros c C. apply (is_lim_ext (fun t => c * t)); [reflexivity |].
+  evar_last. apply (is_lim_scal_l (fun t => t) c p_infty p_infty), is_lim_id.
+  simpl. destruct (Rle_dec 0 c) as [P | P]; [| lra]. destruct (Rle_lt_or_eq_dec 0 c P) as [Q | Q]; [reflexivity | lra].
+Qed.
+
+Lemma lim_linear_m : forall c : R, c < 0 -> is_lim (fun t => c * t) p_infty m_infty.
+Proof.
+  intros c C. apply (is_lim_ext (fun t => - (- c * t))); [intro t; ring |].
+  apply (is_lim_opp (fun t => - c * t) p_infty p_infty), lim_linear_p. lra.
+Qed.
+
+Lemma lim_exp_falls : forall c : R, c < 0 -> is_lim (fun t => exp (c * t)) p_infty 0.
+Proof.
+  intros c C. apply (is_lim_comp exp (fun t => c * t) p_infty 0 m_infty); [exact is_lim_exp_m | now apply lim_linear_m |].
+  exists 0. discriminate.
+Qed.
+
+Lemma lim_times_exp_falls : forall c : R, c < 0 -> is_lim (fun t => t * exp (c * t)) p_infty 0.
+Proof.
+  intros c C. apply (is_lim_ext (fun t => / c * ((c * t) * exp (c * t)))); [intro t; field; lra |].
+  replace (Finite 0) with (Rbar_mult (/ c) 0) by (simpl; f_equal; ring).
+  apply is_lim_scal_l.
+  apply (is_lim_comp (fun y => y * exp y) (fun t => c * t) p_infty 0 m_infty); [exact is_lim_mul_exp_m | now apply lim_linear_m |].
+  exists 0. discriminate.
+Qed.
+
+(* L'Hopital's rule at a point. *)
+Lemma cauchy : forall (f g f' g' : R -> R) (a b : R), a < b ->
+  (forall c, a < c < b -> is_derive f c (f' c)) -> (forall c, a < c < b -> is_derive g c (g' c)) ->
+  (forall c, a <= c <= b -> continuous f c) -> (forall c, a <= c <= b -> continuous g c) ->
+  exists c, a < c < b /\ (g b - g a) * f' c = (f b - f a) * g' c.
+Proof.
+  intros f g f' g' a b L F G Cf Cg.
+  assert (pr1 : forall c, a < c < b -> derivable_pt f c) by (intros c P; apply ex_derive_Reals_0; exists (f' c); now apply F).
+  assert (pr2 : forall c, a < c < b -> derivable_pt g c) by (intros c P; apply ex_derive_Reals_0; exists (g' c); now apply G).
+  destruct (MVT f g a b pr1 pr2 L) as [c [P E]].
+  - intros c P. apply continuity_pt_filterlim. now apply Cf.
+  - intros c P. apply continuity_pt_filterlim. now apply Cg.
+  - exists c. split; [exact P |]. rewrite !Derive_Reals in E.
+    rewrite (is_derive_unique f c (f' c) (F c P)), (is_derive_unique g c (g' c) (G c P)) in E. exact E.
+Qed.
+
+Lemma lhopital : forall (f g f' g' : R -> R) (x l d : R), 0 < d ->
+  (forall t, t <> x -> Rabs (t - x) < d -> is_derive f t (f' t)) ->
+  (forall t, t <> x -> Rabs (t - x) < d -> is_derive g t (g' t)) ->
+  (forall t, t <> x -> Rabs (t - x) < d -> g' t <> 0) ->
+  continuous f x -> continuous g x -> f x = 0 -> g x = 0 ->
+  is_lim (fun t => f' t / g' t) x l -> is_lim (fun t => f t / g t) x l.
+Proof.
+  intros f g f' g' x l d D F G N Cf Cg Zf Zg L.
+  assert (K : forall h h' : R -> R, (forall t, t <> x -> Rabs (t - x) < d -> is_derive h t (h' t)) -> continuous h x ->
+    forall t, Rabs (t - x) < d -> continuous h t).
+  { intros h h' H C t T. destruct (Req_dec t x) as [-> | Q]; [exact C | exact (Cont_derive _ _ _ (H t Q T))]. }
+  assert (M : forall t, t <> x -> Rabs (t - x) < d ->
+    exists c, c <> x /\ Rabs (c - x) < Rabs (t - x) /\ f t / g t = f' c / g' c).
+  { intros t Q T. destruct (Rlt_or_le x t) as [P | P].
+    - rewrite Rabs_right in T by lra.
+      assert (W : forall c, x <= c <= t -> Rabs (c - x) < d) by (intros c Hc; rewrite Rabs_right; lra).
+      destruct (cauchy f g f' g' x t P) as [c [Hc E]].
+      { intros c Hc. apply F; [lra | apply W; lra]. } { intros c Hc. apply G; [lra | apply W; lra]. }
+      { intros c Hc. apply (K f f' F Cf), W, Hc. } { intros c Hc. apply (K g g' G Cg), W, Hc. }
+      destruct (cauchy (fun y => y) g (fun _ => 1) g' x t P) as [e [He E']].
+      { intros; apply D_id. } { intros y Hy. apply G; [lra | apply W; lra]. }
+      { intros; apply Cont_id. } { intros y Hy. apply (K g g' G Cg), W, Hy. }
+      rewrite Zf, Zg in *. 
+      assert (Ne : g' e <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nc : g' c <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nt : g t <> 0).
+      { replace (g t) with ((t - x) * g' e) by lra. apply Rmult_integral_contrapositive_currified; [lra | exact Ne]. }
+      exists c. split; [lra |]. split; [rewrite !Rabs_right; lra |].
+      apply (Rmult_eq_reg_r (g t * g' c)); [| now apply Rmult_integral_contrapositive_currified].
+      replace (f t / g t * (g t * g' c)) with (f t * g' c) by (field; exact Nt).
+      replace (f' c / g' c * (g t * g' c)) with (g t * f' c) by (field; exact Nc). lra.
+    - assert (P' : t < x) by (destruct P as [P | P]; [exact P | exfalso; apply Q; exact P]).
+      rewrite Rabs_left in T by lra.
+      assert (W : forall c, t <= c < x -> Rabs (c - x) < d) by (intros c Hc; rewrite Rabs_left; lra).
+      assert (W' : forall c, t <= c <= x -> Rabs (c - x) < d) by (intros c Hc; rewrite Rabs_left1; lra).
+      destruct (cauchy f g f' g' t x P') as [c [Hc E]].
+      { intros c Hc. apply F; [lra | apply W; lra]. } { intros c Hc. apply G; [lra | apply W; lra]. }
+      { intros c Hc. apply (K f f' F Cf), W', Hc. } { intros c Hc. apply (K g g' G Cg), W', Hc. }
+      destruct (cauchy (fun y => y) g (fun _ => 1) g' t x P') as [e [He E']].
+      { intros; apply D_id. } { intros y Hy. apply G; [lra | apply W; lra]. }
+      { intros; apply Cont_id. } { intros y Hy. apply (K g g' G Cg), W', Hy. }
+      rewrite Zf, Zg in *.
+      assert (Ne : g' e <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nc : g' c <> 0) by (apply N; [lra | apply W; lra]).
+      assert (Nt : g t <> 0).
+      { replace (g t) with ((t - x) * g' e) by lra. apply Rmult_integral_contrapositive_currified; [lra | exact Ne]. }
+      exists c. split; [lra |]. split; [rewrite !Rabs_left; lra |].
+      apply (Rmult_eq_reg_r (g t * g' c)); [| now apply Rmult_integral_contrapositive_currified].
+      replace (f t / g t * (g t * g' c)) with (f t * g' c) by (field; exact Nt).
+      replace (f' c / g' c * (g t * g' c)) with (g t * f' c) by (field; exact Nc). lra. }
+  apply is_lim_spec. apply is_lim_spec in L. intro eps. destruct (L eps) as [r H].
+  exists (mkposreal (Rmin r d) (Rmin_pos _ _ (cond_pos r) D)). intros t B Q.
+  assert (B' : Rabs (t - x) < Rmin r d) by exact B.
+  destruct (M t Q) as [c [C1 [C2 ->]]].
+  - apply Rlt_le_trans with (1 := B'), Rmin_r.
+  - apply H; [| exact C1]. apply Rlt_trans with (1 := C2). apply Rlt_le_trans with (1 := B'), Rmin_l.
+Qed.
+
+Ltac near_facts := repeat match goal with H : Rabs _ < _ |- _ => apply Rabs_def2 in H end.
+
+Ltac slope_is_nonzero :=
+  cbv beta; cbn [Nat.pred]; numerals; near_facts;
+  first [nonzero | side_condition | lra | (intro; match goal with Q : ?t <> ?x |- _ => apply Q; nra end)].
+
+Ltac by_lhopital :=
+  lazymatch goal with
+  | |- is_lim (fun t => @?F t / @?G t) (Finite ?a) (Finite ?v) =>
+    first
+    [ solve [limit_of_quotient F G a]
+    | eapply (lhopital F G _ _ a v (1 / 4));
+      [ lra
+      | intros; near_facts; by_rules_at
+      | intros; near_facts; by_rules_at
+      | intros; slope_is_nonzero
+      | is_continuous
+      | is_continuous
+      | limit_number
+      | limit_number
+      | cbv beta; cbn [Nat.pred]; first [solve [limit_here] | by_lhopital] ] ]
+  end.

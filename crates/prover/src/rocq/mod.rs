@@ -158,6 +158,8 @@ struct Theorem {
     maps: Vec<(String, usize)>,
     /// What replaces the operations of the claim by their values, where it is one that holds such.
     values: Option<String>,
+    /// The proof of a claim that needs no goal.
+    proof: Option<String>,
     /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
     is_whole: bool,
 }
@@ -179,6 +181,7 @@ impl Theorem {
             bridges: Vec::new(),
             maps: Vec::new(),
             values: None,
+            proof: None,
             is_whole: whole.is_some(),
         };
         let printer = Printer::new(decided);
@@ -218,8 +221,16 @@ impl Theorem {
             None => printer.claim(steps)?,
             Some(printed) => {
                 own.claim_comment = comment(&printed.equation.to_string());
-                own.values = Some(printed.values(decided, steps)?);
-                Printer::of_operations(decided).relation(printed.equation, None, steps)?
+                match printed.valued(decided, steps)? {
+                    Some(valued) => {
+                        own.proof = Some(valued.proof);
+                        valued.claim
+                    }
+                    None => {
+                        own.values = Some(printed.values(decided, steps)?);
+                        Printer::of_operations(decided).relation(printed.equation, None, steps)?
+                    }
+                }
             }
         };
         Ok(own)
@@ -448,7 +459,10 @@ impl Theorem {
         inferences: &[kernel::Inference],
         point: &With<Witness>,
     ) -> Result<String, Unwritten> {
-        let goals: Vec<(Property, Term)> = decided.question.statement.goal().to_vec();
+        let goals: Vec<(Property, Term)> = match &self.proof {
+            Some(_) => Vec::new(),
+            None => decided.question.statement.goal().to_vec(),
+        };
         let is_whole = self.is_whole;
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
             let mut end = String::new();
@@ -504,6 +518,7 @@ impl Theorem {
         }
         named.extend(steps.named_here());
         let named = steps.named(&named)? + &changes;
+        let script = self.proof.take().unwrap_or(script);
         let values = self.values.take().unwrap_or_default();
         self.of_names_in(&[&script, &named, &values], steps);
         let mut text = format!("Theorem holds :\n{}.\nProof.\n", self.stated(steps));

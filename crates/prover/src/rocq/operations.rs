@@ -11,7 +11,7 @@ use kernel::{Certificate, Node, Origin, Property, Symbol};
 use numbers::{Field, Rational};
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use texmath::{Condition, Equation, Name, Operation, Series, Symbols, Tree, any_side, mapped};
+use texmath::{Condition, Equation, Name, Operation, Relation, Series, Symbols, Tree, any_side, mapped};
 
 type Text = Result<String, Unwritten>;
 
@@ -261,7 +261,100 @@ fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
     }
 }
 
+/// A claim that an operation has a value which is no number by itself in Rocq, with its proof.
+pub struct Valued {
+    pub claim: String,
+    pub proof: String,
+}
+
+/// What an end of an integral is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    Proper,
+    Singular,
+    Infinite,
+}
+
 impl Printed<'_> {
+    /// A limit, or an improper integral, that is claimed to have a value.
+    ///
+    /// # Errors
+    /// What of it is not written.
+    pub fn valued(&self, decided: &Decided, steps: &mut Steps) -> Result<Option<Valued>, Unwritten> {
+        let Equation {
+            left, relation, right, ..
+        } = self.equation;
+        let Tree::Operation(operation, _) = left else {
+            return Ok(None);
+        };
+        if *relation != Relation::Equal || has_operation(right) {
+            return Ok(None);
+        }
+        let printer = Printer::of_operations(decided);
+        match &**operation {
+            Operation::Limit { of, by, to } => {
+                if has_operation(to) {
+                    return Err(Unwritten::Not("a limit at infinity or from one side"));
+                }
+                if has_operation(of) {
+                    return Err(Unwritten::Not("an operation within a limit"));
+                }
+                let value = printer.tree(right, None, steps)?;
+                let at = printer.tree(to, None, steps)?;
+                let function = printer.function(of, by, None, steps)?;
+                let mut ways = vec!["limit_here".to_owned()];
+                if let Tree::Quotient(above, below, _) = of {
+                    let above = printer.function(above, by, None, steps)?;
+                    let below = printer.function(below, by, None, steps)?;
+                    ways.push(format!("limit_of_quotient {above} {below} {at}"));
+                    ways.push("by_lhopital".into());
+                }
+                Ok(Some(Valued {
+                    claim: format!("is_lim {function} {at} {value}"),
+                    proof: format!("first [{}].\n", ways.iter().map(|way| format!("solve [{way}]")).collect::<Vec<_>>().join(" | ")),
+                }))
+            }
+            Operation::Integral {
+                of,
+                by,
+                limits: Some(limits),
+            } => {
+                let ends = [&limits.0, &limits.1].map(|end| end_of(of, by, end));
+                match ends {
+                    [End::Proper, End::Proper] => return Ok(None),
+                    [End::Proper, End::Singular] | [End::Singular, End::Proper] => {}
+                    [End::Infinite, _] | [_, End::Infinite] => {
+                        return Err(Unwritten::Not("an integral to infinity"));
+                    }
+                    _ => return Err(Unwritten::Not("an integral that is improper at both ends")),
+                }
+                if has_operation(of) {
+                    return Err(Unwritten::Not("an operation within an integral"));
+                }
+                let low = printer.tree(&limits.0, None, steps)?;
+                let high = printer.tree(&limits.1, None, steps)?;
+                let (low, high) = match ends {
+                    [End::Singular, _] => (format!("(at_right {low})"), format!("(at_point {high})")),
+                    _ => (format!("(at_point {low})"), format!("(at_left {high})")),
+                };
+                let value = printer.tree(right, None, steps)?;
+                let function = printer.function(of, by, None, steps)?;
+                let mut ways = Vec::new();
+                for way in antiderivatives(of, by, self.symbols) {
+                    ways.push(format!("solve [improper_by {}]", printer.function(&way, by, None, steps)?));
+                }
+                if ways.is_empty() {
+                    return Err(Unwritten::Not("an integral without an antiderivative"));
+                }
+                Ok(Some(Valued {
+                    claim: format!("is_RInt_gen {function} {low} {high} {value}"),
+                    proof: format!("first\n[ {} ].\n", ways.join("\n| ")),
+                }))
+            }
+            _ => Ok(None),
+        }
+    }
+
     /// What replaces each operation of the claim by its value, line by line.
     ///
     /// # Errors
@@ -353,6 +446,9 @@ impl Printed<'_> {
         if has_operation(of) {
             return Err(Unwritten::Not("an operation within an integral"));
         }
+        if [&limits.0, &limits.1].into_iter().any(|end| end_of(of, by, end) != End::Proper) {
+            return Err(Unwritten::Not("an improper integral within a formula"));
+        }
         let [low, high] = [&limits.0, &limits.1].map(|end| printer.tree(end, None, steps));
         let (low, high) = (low?, high?);
         let ways = antiderivatives(of, by, self.symbols);
@@ -371,6 +467,64 @@ impl Printed<'_> {
             lines.join("\n| ")
         ))
     }
+}
+
+/// What an end of an integral is, as its integrand looks there: letters are taken to be some numbers.
+fn end_of(of: &Tree, by: &Name, end: &Tree) -> End {
+    if has_operation(end) {
+        return End::Infinite;
+    }
+    let value = |letter: &Name| 0.7 + 0.01 * letter.to_string().bytes().map(f64::from).sum::<f64>().sin();
+    let at = guess(end, &value);
+    let is_finite = at
+        .and_then(|at| guess(of, &|letter| if letter == by { at } else { value(letter) }))
+        .is_none_or(|value| value.is_finite() && value.abs() < 1e9);
+    if is_finite { End::Proper } else { End::Singular }
+}
+
+/// The value of a tree as a machine number; `None` where a function is not known here.
+fn guess(tree: &Tree, value: &dyn Fn(&Name) -> f64) -> Option<f64> {
+    let of = |tree: &Tree| guess(tree, value);
+    Some(match tree {
+        Tree::Number(own) => own.0.to_f64().value(),
+        Tree::Symbol(name, _) => match name.to_string().as_str() {
+            r"\pi" => std::f64::consts::PI,
+            "e" => std::f64::consts::E,
+            _ => value(name),
+        },
+        Tree::Negate(inner) => -of(inner)?,
+        Tree::Sum(parts) => parts.iter().map(of).sum::<Option<f64>>()?,
+        Tree::Product(parts) => parts.iter().map(of).product::<Option<f64>>()?,
+        Tree::Quotient(above, below, _) => of(above)? / of(below)?,
+        Tree::Power(base, exponent, _) => of(base)?.powi(*exponent),
+        Tree::RealPower(base, exponent, _) => of(base)?.powf(of(exponent)?),
+        Tree::Root(inner, index, _) => match index % 2 {
+            0 => of(inner)?.powf(1.0 / f64::from(*index)),
+            _ => {
+                let inner = of(inner)?;
+                inner.signum() * inner.abs().powf(1.0 / f64::from(*index))
+            }
+        },
+        Tree::Call(name, inner, _) => {
+            let inner = of(inner)?;
+            match name.base.as_str() {
+                r"\abs" => inner.abs(),
+                r"\sin" => inner.sin(),
+                r"\cos" => inner.cos(),
+                r"\tan" => inner.tan(),
+                r"\exp" => inner.exp(),
+                r"\ln" => inner.ln(),
+                r"\arcsin" => inner.asin(),
+                r"\arccos" => inner.acos(),
+                r"\arctan" => inner.atan(),
+                r"\sinh" => inner.sinh(),
+                r"\cosh" => inner.cosh(),
+                r"\tanh" => inner.tanh(),
+                _ => return None,
+            }
+        }
+        _ => return None,
+    })
 }
 
 /// Antiderivatives to be tried, and those with and without the bars of their logarithms.
