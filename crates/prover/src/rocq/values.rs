@@ -4,7 +4,7 @@ use super::steps::Steps;
 use super::text::{Names, Unwritten, Writer};
 use crate::algebra::{Steps as Effort, solve};
 use kernel::{At, EFFORT, Expansion, Function, Node, Statement, Symbol, Term, With, Witness};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -33,8 +33,15 @@ pub fn values(steps: &mut Steps, witness: &With<Witness>) -> Result<Vec<String>,
 struct Point<'a> {
     at: At<'a>,
     witness: &'a Witness,
-    /// Functions given by values at single times: each a term in a symbol.
-    known: BTreeMap<Function, (Symbol, Term)>,
+    /// Functions given by values at single times, as polynomials.
+    known: BTreeMap<Function, Vec<Coefficient>>,
+}
+
+/// A coefficient of a polynomial: a number, and multiples of terms that are not written as one.
+#[derive(Clone)]
+struct Coefficient {
+    number: Rational,
+    others: Vec<(Rational, Term)>,
 }
 
 impl Point<'_> {
@@ -55,19 +62,51 @@ impl Point<'_> {
     /// The derivative of an order of a function, as a function.
     fn function(&mut self, function: Function, order: u32) -> Result<String, Unwritten> {
         let named = self.witness.functions.iter().find(|(own, ..)| *own == function);
-        let (time, mut value, order) = match named {
-            Some(&(_, time, term)) => (time, self.at.value(term)?, order),
+        let value = match named {
+            Some(&(_, time, term)) => {
+                let mut value = self.at.value(term)?;
+                for _ in 0..order {
+                    value = self.at.statement().derivative(value, time);
+                }
+                value
+            }
             None => {
                 let (first, depth) = self.first(function);
-                let (time, term) = self.through_values(first)?;
-                (time, term, order + depth)
+                let polynomial = self.through_values(first)?;
+                self.derivative(&polynomial, order + depth)
             }
         };
-        for _ in 0..order {
-            value = self.at.statement().derivative(value, time);
-        }
         let body = closed(self.at.statement(), value)?;
         Ok(format!("(fun {RUNNING} : R => {body})"))
+    }
+
+    /// The derivative of an order of a polynomial, as a term.
+    fn derivative(&mut self, polynomial: &[Coefficient], order: u32) -> Term {
+        let statement = self.at.statement();
+        let letter = statement.fresh(RUNNING);
+        let terms = statement.terms_mut();
+        let letter = terms.symbol(letter);
+        let mut sums = Vec::new();
+        for (power, coefficient) in (0_u32..).zip(polynomial) {
+            if power < order || (coefficient.number.is_zero() && coefficient.others.is_empty()) {
+                continue;
+            }
+            let factor = slope(power, order, &Rational::one());
+            let mut parts = vec![terms.number(coefficient.number.clone() * factor.clone())];
+            for (multiple, value) in &coefficient.others {
+                let multiple = terms.number(multiple.clone() * factor.clone());
+                parts.push(terms.product(vec![multiple, *value]));
+            }
+            let sum = terms.sum(parts);
+            sums.push(match power - order {
+                0 => sum,
+                left => {
+                    let power = terms.add(Node::Power(letter, i32::try_from(left).unwrap_or(i32::MAX)));
+                    terms.product(vec![sum, power])
+                }
+            });
+        }
+        terms.sum(sums)
     }
 
     /// The function that is not declared to be a derivative of which a function is one, and of which order.
@@ -83,9 +122,9 @@ impl Point<'_> {
     }
 
     /// A polynomial whose derivatives have the values that are given at single times, of it and of functions that are derivatives of it.
-    fn through_values(&mut self, first: Function) -> Result<(Symbol, Term), Unwritten> {
+    fn through_values(&mut self, first: Function) -> Result<Vec<Coefficient>, Unwritten> {
         if let Some(known) = self.known.get(&first) {
-            return Ok(*known);
+            return Ok(known.clone());
         }
         let names: Vec<Function> = self.witness.functions.iter().map(|(own, ..)| *own).collect();
         if names.into_iter().any(|own| self.first(own).0 == first) {
@@ -96,8 +135,7 @@ impl Point<'_> {
             let (own, depth) = self.first(function);
             if own == first {
                 let (time, value) = (self.at.value(time)?, self.at.value(value)?);
-                let terms = self.at.statement().terms();
-                let time = Expansion::new(BTreeSet::new(), EFFORT).of(terms, time)?.numerator.as_constant();
+                let time = self.number(time)?;
                 let time = time.ok_or(Unwritten::Not("a function given at times that are not rational"))?;
                 conditions.push((order + depth, time, value));
             }
@@ -105,22 +143,32 @@ impl Point<'_> {
         let columns = u32::try_from(conditions.len()).unwrap_or(0) + 3;
         let row = |(order, time, _): &(u32, Rational, Term)| (0..columns).map(|power| slope(power, *order, time)).collect();
         let rows: Vec<Vec<Rational>> = conditions.iter().map(row).collect();
-        let time = self.at.statement().fresh(RUNNING);
-        let mut sums = Vec::new();
+        let none = Coefficient {
+            number: Rational::zero(),
+            others: Vec::new(),
+        };
+        let mut polynomial = vec![none; rows.first().map_or(0, Vec::len)];
         for (place, (.., value)) in conditions.iter().enumerate() {
-            let right: Vec<Rational> = (0..conditions.len()).map(|own| Rational::from_integer(i64::from(own == place))).collect();
+            let is_own = |own: usize| Rational::from_integer(i64::from(own == place));
+            let right: Vec<Rational> = (0..conditions.len()).map(is_own).collect();
             let solved = solve(&rows, &right, &mut Effort::new(EFFORT)).ok().flatten();
             let solved = solved.ok_or(Unwritten::Not("a function given by derivatives at single times"))?;
-            let terms = self.at.statement().terms_mut();
-            for (coefficient, power) in solved.into_iter().zip(0..).filter(|(coefficient, _)| !coefficient.is_zero()) {
-                let letter = terms.symbol(time);
-                let factors = vec![*value, terms.number(coefficient), terms.add(Node::Power(letter, power))];
-                sums.push(terms.product(factors));
+            let number = self.number(*value)?;
+            for (multiple, own) in solved.into_iter().zip(&mut polynomial).filter(|(multiple, _)| !multiple.is_zero()) {
+                match &number {
+                    Some(number) => own.number = own.number.clone() + multiple * number.clone(),
+                    None => own.others.push((multiple, *value)),
+                }
             }
         }
-        let term = self.at.statement().terms_mut().sum(sums);
-        self.known.insert(first, (time, term));
-        Ok((time, term))
+        self.known.insert(first, polynomial.clone());
+        Ok(polynomial)
+    }
+
+    /// A closed term that is a rational number.
+    fn number(&mut self, term: Term) -> Result<Option<Rational>, Unwritten> {
+        let quotient = Expansion::new(BTreeSet::new(), EFFORT).of(self.at.statement().terms(), term)?;
+        Ok(quotient.numerator.as_constant().filter(|_| quotient.divisors.is_empty()))
     }
 }
 
