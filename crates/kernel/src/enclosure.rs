@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 
 /// The largest integer up to which all are machine numbers.
-const EXACT: i64 = 1 << 53;
+const EXACT: u64 = 1 << 53;
 
 /// The most terms of a polynomial whose sign is looked for.
 const LARGEST: usize = 2000;
@@ -356,7 +356,7 @@ pub(super) fn complex_root<E: Endpoint>(at: &Complex<E>, index: u32) -> Option<C
 pub(super) fn rational<E: Endpoint>(value: &Rational) -> Option<Interval<E>> {
     let (above, below) = (value.0.numerator(), value.0.denominator());
     if let (Ok(above), Ok(below)) = (i64::try_from(above), i64::try_from(below))
-        && above.abs().max(below) <= EXACT
+        && above.unsigned_abs().max(below.unsigned_abs()) <= EXACT
     {
         return Some(Interval::from_integer(above) / Interval::from_integer(below));
     }
