@@ -446,7 +446,7 @@ impl<'a> Steps<'a> {
                 Property::Integer => format!("exact {}", self.fact(number)),
             });
         }
-        if self.checker.statement.sign_of(&polynomial).is_some() {
+        if shown != Property::Integer && self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
             return Ok(format!("change ({}); enclose", property(shown, &full)));
         }
@@ -507,7 +507,7 @@ impl<'a> Steps<'a> {
                 Property::Integer => format!("exact {}", self.fact(number)),
             });
         }
-        if self.checker.statement.sign_of(polynomial).is_some() {
+        if shown != Property::Integer && self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
             return Ok(format!("change ({}); enclose", property(shown, &full)));
         }
@@ -1327,12 +1327,12 @@ fn relation(shown: Property, printed: &str, proof: &str, row: &AxiomRow) -> Stri
     }
     let natural = row.guards.iter().find_map(|guard| guard.strip_prefix("natural("));
     let natural = natural.map(|rest| rest.trim_end_matches(')'));
-    let equal = format!("(Rminus_diag_uniq _ _ {proof})");
+    let sides = format!("ltac:(same_sides {proof})");
     match shown {
         Property::Zero => match natural {
-            Some(letter) if printed.ends_with(&format!("= {letter}")) => format!("(is_INR _ _ {equal})"),
-            Some(letter) if printed.ends_with(&format!("= -{letter}")) => format!("(is_negative_INR _ _ {equal})"),
-            _ => equal,
+            Some(letter) if printed.ends_with(&format!("= {letter}")) => format!("(is_INR _ _ (Rminus_diag_uniq _ _ {proof}))"),
+            Some(letter) if printed.ends_with(&format!("= -{letter}")) => format!("(is_negative_INR _ _ (Rminus_diag_uniq _ _ {proof}))"),
+            _ => sides,
         },
         Property::Nonzero => format!("(Rminus_not_eq _ _ {proof})"),
         Property::Positive => format!("(Rminus_gt _ _ {proof})"),
