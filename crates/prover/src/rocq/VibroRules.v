@@ -163,6 +163,10 @@ Ltac same_fraction :=
   | _ => first [ring | field; nonzero]
   end.
 
+(* Two sides are equal whose difference, perhaps written otherwise, is 0. *)
+Ltac same_sides H :=
+  first [exact (Rminus_diag_uniq _ _ H) | apply Rminus_diag_uniq; rewrite <- H; simpl Z.of_nat; same_fraction].
+
 (* Printed functions by those of the proof. *)
 Ltac by_definition := unfold tan, sinh, cosh, tanh; rewrite ?abs_is_root.
 Ltac by_definition_in H := unfold tan, sinh, cosh, tanh in H; rewrite ?abs_is_root in H.

@@ -1463,7 +1463,7 @@ fn relation(shown: Property, printed: &str, is_nothing: bool, proof: &str, natur
         (Property::Zero, Some((letter, value))) if printed.ends_with(&format!("= -{letter}")) => {
             format!("(is_negative_INR {value}%nat _ {equal})")
         }
-        (Property::Zero, _) => format!("ltac:(first [exact {equal} | lra])"),
+        (Property::Zero, _) => format!("ltac:(same_sides {proof})"),
         (Property::Nonzero, _) => format!("(Rminus_not_eq _ _ {proof})"),
         (Property::Positive, _) => format!("(Rminus_gt _ _ {proof})"),
         _ => format!("(Rminus_ge _ _ {proof})"),
