@@ -142,6 +142,8 @@ struct Theorem {
     values: Option<String>,
     /// The proof of a claim that needs no goal.
     proof: Option<String>,
+    /// The tactic that leads from the goal to the claim.
+    conclude: &'static str,
     /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
     is_whole: bool,
 }
@@ -163,6 +165,7 @@ impl Theorem {
             bridges: Vec::new(),
             values: None,
             proof: None,
+            conclude: if whole.is_some() { "conclude_claim" } else { "conclude" },
             is_whole: whole.is_some(),
         };
         let printer = Printer::new(decided);
@@ -207,7 +210,8 @@ impl Theorem {
                 own.claim_comment = comment(&printed.equation.to_string());
                 match printed.valued(decided, steps)? {
                     Some(valued) => {
-                        own.proof = Some(valued.proof);
+                        own.proof = valued.proof;
+                        own.conclude = "conclude_derivative";
                         valued.claim
                     }
                     None => {
@@ -339,7 +343,7 @@ impl Theorem {
             Some(_) => Vec::new(),
             None => decided.question.statement.goal().to_vec(),
         };
-        let is_whole = self.is_whole;
+        let conclude = self.conclude;
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
             let mut end = String::new();
             for (place, &(shown, term)) in goals.iter().enumerate() {
@@ -347,7 +351,6 @@ impl Theorem {
                 let by = steps.shown(shown, term)?;
                 let _ = writeln!(end, "assert (B{place} : {}).\n{{ {by}. }}", property(shown, &short));
                 let _ = writeln!(end, "change ({}) in B{place}.", property(shown, &full));
-                let conclude = if is_whole { "conclude_claim" } else { "conclude" };
                 let _ = writeln!(end, "{conclude} B{place}.");
             }
             Ok(end)

@@ -264,7 +264,8 @@ fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
 /// A claim that an operation has a value which is no number by itself in Rocq, with its proof.
 pub struct Valued {
     pub claim: String,
-    pub proof: String,
+    /// The proof, where it needs no goal.
+    pub proof: Option<String>,
 }
 
 /// What an end of an integral is.
@@ -311,7 +312,36 @@ impl Printed<'_> {
                 }
                 Ok(Some(Valued {
                     claim: format!("is_lim {function} {at} {value}"),
-                    proof: format!("first [{}].\n", ways.iter().map(|way| format!("solve [{way}]")).collect::<Vec<_>>().join(" | ")),
+                    proof: Some(format!("first [{}].\n", ways.iter().map(|way| format!("solve [{way}]")).collect::<Vec<_>>().join(" | "))),
+                }))
+            }
+            Operation::Integral { of, by, limits: None } => {
+                if has_operation(of) {
+                    return Err(Unwritten::Not("an operation within an integral"));
+                }
+                let point = printer.tree(&symbol(by), None, steps)?;
+                // a constant of integration is no letter of the goal
+                let mut constants: Vec<Name> = Vec::new();
+                texmath::any(right, &mut |node| {
+                    if let Tree::Symbol(name, _) = node
+                        && name != by
+                        && !constants.contains(name)
+                        && printer.tree(node, None, steps).is_err()
+                    {
+                        constants.push(name.clone());
+                    }
+                    false
+                });
+                let names: Vec<String> = constants.iter().map(|name| steps.bind(name)).collect();
+                let function = printer.function(right, by, None, steps);
+                names.iter().for_each(|_| steps.unbind());
+                let claim = format!("is_derive {} {point} {}", function?, printer.tree(of, None, steps)?);
+                Ok(Some(Valued {
+                    claim: match names.is_empty() {
+                        true => claim,
+                        false => format!("forall {} : R, {claim}", names.join(" ")),
+                    },
+                    proof: None,
                 }))
             }
             Operation::Integral {
@@ -348,7 +378,7 @@ impl Printed<'_> {
                 }
                 Ok(Some(Valued {
                     claim: format!("is_RInt_gen {function} {low} {high} {value}"),
-                    proof: format!("first\n[ {} ].\n", ways.join("\n| ")),
+                    proof: Some(format!("first\n[ {} ].\n", ways.join("\n| "))),
                 }))
             }
             _ => Ok(None),
