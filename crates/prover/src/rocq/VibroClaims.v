@@ -668,3 +668,27 @@ Ltac conclude_derivative W :=
   [ by_rules
   | cbv beta; cbn [Nat.pred]; numerals; integer_powers;
     first [solve [same_value] | solve [conclude_claim W] | solve [multiple_angles]] ].
+
+(* Integrals over pieces, on each of which the integrand is another one. *)
+Lemma chasles_value : forall (f : R -> R) (a c b v w : R), ex_RInt f a c -> ex_RInt f c b ->
+  RInt f a c = v :> R -> RInt f c b = w :> R -> RInt f a b = v + w :> R.
+Proof. intros f a c b v w A B <- <-. symmetry. now apply integral_chasles. Qed.
+
+Lemma piece_value : forall (f g : R -> R) (a b v : R), a < b -> (forall x, a < x < b -> f x = g x) -> RInt g a b = v :> R ->
+  RInt f a b = v :> R.
+Proof.
+  intros f g a b v L E <-. apply integral_equal. rewrite Rmin_left, Rmax_right by lra. exact E.
+Qed.
+
+Ltac has_sign := first [lra | nra | apply Rle_ge, sin_ge_0; lra | apply sin_le_0; lra | apply Rle_ge, cos_ge_0; lra | side_condition].
+
+Ltac same_on_piece :=
+  intros; cbv beta;
+  repeat match goal with
+  | |- context [Rabs ?u] => first [rewrite (Rabs_right u) by has_sign | rewrite (Rabs_left1 u) by has_sign]
+  end;
+  first [reflexivity | ring].
+
+Ltac piece g F := apply (piece_value _ g); [first [lra | side_condition] | same_on_piece | integrate_by F].
+
+Ltac split_at c := apply (chasles_value _ _ c); [apply integrable; intros; is_continuous | apply integrable; intros; is_continuous | |].

@@ -482,9 +482,6 @@ impl Printed<'_> {
         let [low, high] = [&limits.0, &limits.1].map(|end| printer.tree(end, None, steps));
         let (low, high) = (low?, high?);
         let ways = antiderivatives(of, by, self.symbols);
-        if ways.is_empty() {
-            return Err(Unwritten::Not("an integral without an antiderivative"));
-        }
         let mut lines = Vec::new();
         for way in &ways {
             let function = printer.function(way, by, None, steps)?;
@@ -492,12 +489,87 @@ impl Printed<'_> {
                 "assert (Q{number} : {says} = {function} {high} - {function} {low}) by (integrate_by {function})"
             ));
         }
+        lines.extend(self.over_pieces(number, says, (of, by, limits), printer, steps)?);
+        if lines.is_empty() {
+            return Err(Unwritten::Not("an integral without an antiderivative"));
+        }
         Ok(format!(
             "first\n[ {} ].\ncbv beta in Q{number}; rewrite Q{number}; clear Q{number}.\n",
             lines.join("\n| ")
         ))
     }
 }
+
+impl Printed<'_> {
+    /// The value of an integral between numbers as a sum over pieces, between the places at which what stands between bars or
+    /// under an odd root is 0; nothing where there are none.
+    fn over_pieces(
+        &self,
+        number: usize,
+        says: &str,
+        (of, by, limits): (&Tree, &Name, &(Tree, Tree)),
+        printer: &Printer,
+        steps: &mut Steps,
+    ) -> Result<Option<String>, Unwritten> {
+        let at = |tree: &Tree| guess(tree, &|_| f64::NAN).filter(|value| value.is_finite());
+        let (Some(from), Some(to)) = (at(&limits.0), at(&limits.1)) else {
+            return Ok(None);
+        };
+        let mut places: Vec<(f64, Tree)> = Vec::new();
+        texmath::any(of, &mut |node| {
+            let inner = match node {
+                Tree::Call(name, inner, _) if name.base == r"\abs" => inner,
+                Tree::Root(inner, index, _) if index % 2 == 1 => inner,
+                _ => return false,
+            };
+            for place in integration::zeros(inner, by, [&limits.0, &limits.1]) {
+                let value = at(&place).filter(|value| from < *value && *value < to);
+                let is_new = |value: f64| places.iter().all(|(known, _)| (known - value).abs() > 1e-9);
+                if let Some(value) = value.filter(|value| is_new(*value)) {
+                    places.push((value, place));
+                }
+            }
+            false
+        });
+        if places.is_empty() || places.len() > MOST_PLACES {
+            return Ok(None);
+        }
+        places.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        places.push((to, limits.1.clone()));
+        let (mut before, mut low) = (from, printer.tree(&limits.0, None, steps)?);
+        let (mut values, mut tactics) = (Vec::new(), Vec::new());
+        for (place, end) in places {
+            let middle = 0.5 * (before + place);
+            let own = mapped(of, &|node| match node {
+                Tree::Call(name, inner, _) if name.base == r"\abs" => {
+                    let value = guess(inner, &|letter| if letter == by { middle } else { f64::NAN })?;
+                    without_bars(node, value < 0.0)
+                }
+                _ => None,
+            });
+            let high = printer.tree(&end, None, steps)?;
+            let Some(way) = antiderivatives(&own, by, self.symbols).into_iter().next() else {
+                return Ok(None);
+            };
+            let own = printer.function(&own, by, None, steps)?;
+            let way = printer.function(&way, by, None, steps)?;
+            values.push(format!("({way} {high} - {way} {low})"));
+            tactics.push((high.clone(), format!("piece {own} {way}")));
+            (before, low) = (place, high);
+        }
+        let (mut value, mut tactic) = (String::new(), String::new());
+        for (own, (high, piece)) in values.into_iter().zip(tactics).rev() {
+            (value, tactic) = match value.is_empty() {
+                true => (own, piece),
+                false => (format!("({own} + {value})"), format!("(split_at {high}; [{piece} | {tactic}])")),
+            };
+        }
+        Ok(Some(format!("assert (Q{number} : {says} = {value}) by {tactic}")))
+    }
+}
+
+/// The most places at which an integral is divided.
+const MOST_PLACES: usize = 4;
 
 /// What an end of an integral is, as its integrand looks there: letters are taken to be some numbers.
 fn end_of(of: &Tree, by: &Name, end: &Tree) -> End {
