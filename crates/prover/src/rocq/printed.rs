@@ -183,7 +183,11 @@ impl<'a> Printer<'a> {
                     Series::Sum => "rsum",
                     Series::Product => "rprod",
                 };
-                format!("({name} {} {})", ends.join(" "), self.function(of, index, upper, steps)?)
+                format!(
+                    "({name} {} {})",
+                    ends.join(" "),
+                    self.function(of, index, upper, steps)?
+                )
             }
             Operation::Binomial(of, chosen) => {
                 let parts = [self.tree(of, upper, steps)?, self.tree(chosen, upper, steps)?];
@@ -202,7 +206,9 @@ impl<'a> Printer<'a> {
             }
             Operation::Cases(_) => return Err(Unwritten::Not("values by cases")),
             Operation::Root { .. } | Operation::Arguments(_) => {
-                return Err(Unwritten::Not("a root of symbolic index or a function of several arguments"));
+                return Err(Unwritten::Not(
+                    "a root of symbolic index or a function of several arguments",
+                ));
             }
         })
     }

@@ -93,7 +93,9 @@ impl<'a> Steps<'a> {
     /// The name of a letter that is bound.
     pub fn bound(&self, printed: &str) -> Option<String> {
         let mut known = self.bound.iter().rev();
-        known.find(|(letter, _)| letter == printed).map(|(_, name)| name.clone())
+        known
+            .find(|(letter, _)| letter == printed)
+            .map(|(_, name)| name.clone())
     }
 
     pub fn statement(&mut self) -> &mut Statement {
@@ -302,7 +304,11 @@ impl<'a> Steps<'a> {
         }
         if self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
-            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            let by = if shown == Property::Integer {
+                "is_integer"
+            } else {
+                "enclose"
+            };
             return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
@@ -364,7 +370,11 @@ impl<'a> Steps<'a> {
         }
         if self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
-            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            let by = if shown == Property::Integer {
+                "is_integer"
+            } else {
+                "enclose"
+            };
             return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
