@@ -221,6 +221,28 @@ Ltac roots_known :=
   end.
 
 (* Derivatives by the rules, their values left to be found. *)
+Lemma is_derive_ln_abs : forall y : R, y <> 0 -> is_derive (fun t => ln (Rabs t)) y (/ y).
+Proof.
+  intros y N. eapply D_equal.
+  - apply (D_ln (fun t => Rabs t)); [apply (D_Rabs (fun t => t)); [apply D_id | exact N] | apply Rabs_pos_lt; exact N].
+  - cbv beta. destruct (Rlt_or_le 0 y) as [P | P].
+    + rewrite sign_eq_1, Rabs_right by lra. field. exact N.
+    + rewrite sign_eq_m1, Rabs_left by lra. field. exact N.
+Qed.
+
+Lemma D_ln_abs : forall (f : R -> R) (x l : R), is_derive f x l -> f x <> 0 ->
+  is_derive (fun t => ln (Rabs (f t))) x (l / f x).
+Proof.
+  intros f x l F N. eapply D_equal; [apply (D_chain (fun y => ln (Rabs y)) f x l (/ f x)); [now apply is_derive_ln_abs | exact F] |].
+  field. exact N.
+Qed.
+
+Ltac derive_one :=
+  lazymatch goal with
+  | |- is_derive (fun t => ln (Rabs (@?f t))) ?x _ => refine (D_ln_abs f x _ _ _)
+  | _ => derive_node
+  end.
+
 Ltac by_rules :=
   roots_known;
   repeat match goal with H : forall T, is_derive ?f T (?g T) |- context [?f ?t] =>
@@ -229,7 +251,7 @@ Ltac by_rules :=
     | _ => pose proof (H t)
     end
   end;
-  repeat lazymatch goal with |- is_derive _ _ _ => derive_node end; side_condition.
+  repeat lazymatch goal with |- is_derive _ _ _ => derive_one end; first [is_known_nonzero | side_condition].
 
 Ltac value_of_derivative E f x :=
   eassert (E : Derive f x = _) by (apply is_derive_unique; unfold sinh, cosh, tanh; by_rules);
@@ -638,3 +660,35 @@ Ltac by_lhopital :=
       | limit_number
       | cbv beta; cbn [Nat.pred]; first [solve [limit_here] | by_lhopital] ] ]
   end.
+
+(* That a function is an antiderivative, by the goal that the derivative has the value. *)
+Ltac conclude_derivative W :=
+  intros; unfold sinh, cosh, tanh;
+  lazymatch goal with |- is_derive ?f ?x ?l => refine (D_equal f x _ l _ _) end;
+  [ by_rules
+  | cbv beta; cbn [Nat.pred]; numerals; integer_powers;
+    first [solve [same_value] | solve [conclude_claim W] | solve [multiple_angles]] ].
+
+(* Integrals over pieces, on each of which the integrand is another one. *)
+Lemma chasles_value : forall (f : R -> R) (a c b v w : R), ex_RInt f a c -> ex_RInt f c b ->
+  RInt f a c = v :> R -> RInt f c b = w :> R -> RInt f a b = v + w :> R.
+Proof. intros f a c b v w A B <- <-. symmetry. now apply integral_chasles. Qed.
+
+Lemma piece_value : forall (f g : R -> R) (a b v : R), a < b -> (forall x, a < x < b -> f x = g x) -> RInt g a b = v :> R ->
+  RInt f a b = v :> R.
+Proof.
+  intros f g a b v L E <-. apply integral_equal. rewrite Rmin_left, Rmax_right by lra. exact E.
+Qed.
+
+Ltac has_sign := first [lra | nra | apply Rle_ge, sin_ge_0; lra | apply sin_le_0; lra | apply Rle_ge, cos_ge_0; lra | side_condition].
+
+Ltac same_on_piece :=
+  intros; cbv beta;
+  repeat match goal with
+  | |- context [Rabs ?u] => first [rewrite (Rabs_right u) by has_sign | rewrite (Rabs_left1 u) by has_sign]
+  end;
+  first [reflexivity | ring].
+
+Ltac piece g F := apply (piece_value _ g); [first [lra | side_condition] | same_on_piece | integrate_by F].
+
+Ltac split_at c := apply (chasles_value _ _ c); [apply integrable; intros; is_continuous | apply integrable; intros; is_continuous | |].

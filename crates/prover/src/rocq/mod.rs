@@ -160,6 +160,8 @@ struct Theorem {
     values: Option<String>,
     /// The proof of a claim that needs no goal.
     proof: Option<String>,
+    /// The tactic that leads from the goal to the claim.
+    conclude: &'static str,
     /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
     is_whole: bool,
 }
@@ -182,6 +184,7 @@ impl Theorem {
             maps: Vec::new(),
             values: None,
             proof: None,
+            conclude: if whole.is_some() { "conclude_claim" } else { "conclude" },
             is_whole: whole.is_some(),
         };
         let printer = Printer::new(decided);
@@ -223,7 +226,8 @@ impl Theorem {
                 own.claim_comment = comment(&printed.equation.to_string());
                 match printed.valued(decided, steps)? {
                     Some(valued) => {
-                        own.proof = Some(valued.proof);
+                        own.proof = valued.proof;
+                        own.conclude = "conclude_derivative";
                         valued.claim
                     }
                     None => {
@@ -463,7 +467,7 @@ impl Theorem {
             Some(_) => Vec::new(),
             None => decided.question.statement.goal().to_vec(),
         };
-        let is_whole = self.is_whole;
+        let conclude = self.conclude;
         let (script, grounds) = steps.scope(inferences, &mut |steps| {
             let mut end = String::new();
             for (place, &(shown, term)) in goals.iter().enumerate() {
@@ -478,7 +482,6 @@ impl Theorem {
                         "assert (Y{count} : {derivative} = {slope}) by (apply is_derive_unique; cbv zeta; differentiate_smooth).\nrewrite ?Y{count}. clear Y{count}."
                     );
                 }
-                let conclude = if is_whole { "conclude_claim" } else { "conclude" };
                 let _ = writeln!(end, "{conclude} B{place}.");
             }
             Ok(end)

@@ -4,8 +4,8 @@ use super::comment;
 use super::printed::{Printer, condition_text};
 use super::steps::Steps;
 use super::text::{Unwritten, number, property};
-use crate::{integration, summation};
 use crate::script::{Decided, Found};
+use crate::{integration, summation};
 use claims::Statements;
 use kernel::{Certificate, Node, Origin, Property, Symbol};
 use numbers::{Field, Rational};
@@ -98,7 +98,9 @@ impl<'a> Induction<'a> {
         let mut own = self.step.question.statement.clone();
         let steps = &mut Steps::new(&mut own, &Certificate::default());
         let printer = Printer::of_operations(self.step);
-        let letter = self.letter_in(equation).ok_or(Unwritten::Not("an induction over another letter"))?;
+        let letter = self
+            .letter_in(equation)
+            .ok_or(Unwritten::Not("an induction over another letter"))?;
         let name = printer.tree(&symbol(&letter), None, steps)?;
         let claim = printer.relation(equation, None, steps)?;
         let mut hypotheses = Vec::new();
@@ -127,25 +129,46 @@ impl<'a> Induction<'a> {
         for (says, why) in &hypotheses {
             let _ = writeln!(text, "  (* {} *)\n  ({says}) ->", comment(why));
         }
-        let _ = writeln!(text, "  (* claim: {} *)\n  {claim}.\nProof.", comment(&equation.to_string()));
+        let _ = writeln!(
+            text,
+            "  (* claim: {} *)\n  {claim}.\nProof.",
+            comment(&equation.to_string())
+        );
         let names: Vec<String> = (0..hypotheses.len()).map(|place| format!("P{place}")).collect();
         let _ = writeln!(text, "intros {}.\nintros {}.", variables.join(" "), names.join(" "));
         let _ = writeln!(text, "assert (L : {first} <= {name}) by lra.");
         let _ = writeln!(text, "assert (I : integer {name}) by assumption.");
-        let of_letter = hypotheses.iter().zip(&names).filter(|((says, _), _)| words(says).any(|word| word == name));
+        let of_letter = hypotheses
+            .iter()
+            .zip(&names)
+            .filter(|((says, _), _)| words(says).any(|word| word == name));
         let of_letter: Vec<&str> = of_letter.map(|(_, own)| own.as_str()).collect();
         if !of_letter.is_empty() {
             let _ = writeln!(text, "clear {}.", of_letter.join(" "));
         }
-        let _ = writeln!(text, "refine (integer_induction (fun {name} : R => {claim}) {first} _ _ _ {name} I L).");
-        let _ = writeln!(text, "{{ is_integer. }}\n{{ clear I L {name}; cbv beta.\n{at_first}first_value. }}");
-        let _ = writeln!(text, "{{ clear I L {name}; intros {name} I L H; cbv beta in H |- *.\n{at_next}next_terms.");
+        let _ = writeln!(
+            text,
+            "refine (integer_induction (fun {name} : R => {claim}) {first} _ _ _ {name} I L)."
+        );
+        let _ = writeln!(
+            text,
+            "{{ is_integer. }}\n{{ clear I L {name}; cbv beta.\n{at_first}first_value. }}"
+        );
+        let _ = writeln!(
+            text,
+            "{{ clear I L {name}; intros {name} I L H; cbv beta in H |- *.\n{at_next}next_terms."
+        );
         let _ = writeln!(text, "step_by_algebra {name} H. }}\nQed.");
         Ok(text)
     }
 
     /// What is declared of the letters that are named, and the conditions of the claim that do not move.
-    fn add_givens(&self, moves: &str, hypotheses: &mut Vec<(String, String)>, steps: &mut Steps) -> Result<(), Unwritten> {
+    fn add_givens(
+        &self,
+        moves: &str,
+        hypotheses: &mut Vec<(String, String)>,
+        steps: &mut Steps,
+    ) -> Result<(), Unwritten> {
         let named: BTreeSet<Symbol> = steps.names.symbols().map(|(symbol, _)| *symbol).collect();
         for given in self.step.question.statement.givens() {
             let is_meant = match given.origin {
@@ -167,7 +190,8 @@ impl<'a> Induction<'a> {
             }
             let says = property(given.property, &steps.full(given.term)?);
             let is_domain = given.origin == Origin::ClaimDomain;
-            let is_free = words(&says).all(|word| word != moves) && steps.statement().terms().inside(given.term).len() > 1;
+            let is_free =
+                words(&says).all(|word| word != moves) && steps.statement().terms().inside(given.term).len() > 1;
             let is_known = hypotheses.iter().any(|(own, _)| *own == says);
             if !is_known && (!is_domain || is_free) {
                 hypotheses.push((says, given.origin.to_string()));
@@ -204,7 +228,10 @@ impl<'a> Induction<'a> {
         outermost(&equation.right, &mut found);
         let (mut at_first, mut at_next) = (String::new(), String::new());
         for operation in found {
-            let Operation::Series { of, from, to, index, .. } = operation else {
+            let Operation::Series {
+                of, from, to, index, ..
+            } = operation
+            else {
                 return Err(Unwritten::Not("an operation other than a sum in an induction"));
             };
             if has_operation(of) {
@@ -256,7 +283,9 @@ fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
         Tree::Symbol(name, _) => (name == letter).then_some(at),
         Tree::Negate(inner) => of(inner)?.checked_neg(),
         Tree::Sum(parts) => parts.iter().try_fold(0_i64, |sum, part| sum.checked_add(of(part)?)),
-        Tree::Product(parts) => parts.iter().try_fold(1_i64, |product, part| product.checked_mul(of(part)?)),
+        Tree::Product(parts) => parts
+            .iter()
+            .try_fold(1_i64, |product, part| product.checked_mul(of(part)?)),
         _ => None,
     }
 }
@@ -264,7 +293,8 @@ fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
 /// A claim that an operation has a value which is no number by itself in Rocq, with its proof.
 pub struct Valued {
     pub claim: String,
-    pub proof: String,
+    /// The proof, where it needs no goal.
+    pub proof: Option<String>,
 }
 
 /// What an end of an integral is.
@@ -311,7 +341,42 @@ impl Printed<'_> {
                 }
                 Ok(Some(Valued {
                     claim: format!("is_lim {function} {at} {value}"),
-                    proof: format!("first [{}].\n", ways.iter().map(|way| format!("solve [{way}]")).collect::<Vec<_>>().join(" | ")),
+                    proof: Some(format!(
+                        "first [{}].\n",
+                        ways.iter()
+                            .map(|way| format!("solve [{way}]"))
+                            .collect::<Vec<_>>()
+                            .join(" | ")
+                    )),
+                }))
+            }
+            Operation::Integral { of, by, limits: None } => {
+                if has_operation(of) {
+                    return Err(Unwritten::Not("an operation within an integral"));
+                }
+                let point = printer.tree(&symbol(by), None, steps)?;
+                // a constant of integration is no letter of the goal
+                let mut constants: Vec<Name> = Vec::new();
+                texmath::any(right, &mut |node| {
+                    if let Tree::Symbol(name, _) = node
+                        && name != by
+                        && !constants.contains(name)
+                        && printer.tree(node, None, steps).is_err()
+                    {
+                        constants.push(name.clone());
+                    }
+                    false
+                });
+                let names: Vec<String> = constants.iter().map(|name| steps.bind(name)).collect();
+                let function = printer.function(right, by, None, steps);
+                names.iter().for_each(|_| steps.unbind());
+                let claim = format!("is_derive {} {point} {}", function?, printer.tree(of, None, steps)?);
+                Ok(Some(Valued {
+                    claim: match names.is_empty() {
+                        true => claim,
+                        false => format!("forall {} : R, {claim}", names.join(" ")),
+                    },
+                    proof: None,
                 }))
             }
             Operation::Integral {
@@ -341,14 +406,17 @@ impl Printed<'_> {
                 let function = printer.function(of, by, None, steps)?;
                 let mut ways = Vec::new();
                 for way in antiderivatives(of, by, self.symbols) {
-                    ways.push(format!("solve [improper_by {}]", printer.function(&way, by, None, steps)?));
+                    ways.push(format!(
+                        "solve [improper_by {}]",
+                        printer.function(&way, by, None, steps)?
+                    ));
                 }
                 if ways.is_empty() {
                     return Err(Unwritten::Not("an integral without an antiderivative"));
                 }
                 Ok(Some(Valued {
                     claim: format!("is_RInt_gen {function} {low} {high} {value}"),
-                    proof: format!("first\n[ {} ].\n", ways.join("\n| ")),
+                    proof: Some(format!("first\n[ {} ].\n", ways.join("\n| "))),
                 }))
             }
             _ => Ok(None),
@@ -414,7 +482,9 @@ impl Printed<'_> {
                         is_unrolled = true;
                         continue;
                     }
-                    let closed = (*kind == Series::Sum).then(|| summation::telescoping(of, index)).flatten();
+                    let closed = (*kind == Series::Sum)
+                        .then(|| summation::telescoping(of, index))
+                        .flatten();
                     let closed = closed.ok_or(Unwritten::Not("a sum of symbolic length without a closed form"))?;
                     let function = printer.function(&closed, index, None, steps)?;
                     let [low, high] = [from, to].map(|end| printer.tree(end, None, steps));
@@ -446,15 +516,15 @@ impl Printed<'_> {
         if has_operation(of) {
             return Err(Unwritten::Not("an operation within an integral"));
         }
-        if [&limits.0, &limits.1].into_iter().any(|end| end_of(of, by, end) != End::Proper) {
+        if [&limits.0, &limits.1]
+            .into_iter()
+            .any(|end| end_of(of, by, end) != End::Proper)
+        {
             return Err(Unwritten::Not("an improper integral within a formula"));
         }
         let [low, high] = [&limits.0, &limits.1].map(|end| printer.tree(end, None, steps));
         let (low, high) = (low?, high?);
         let ways = antiderivatives(of, by, self.symbols);
-        if ways.is_empty() {
-            return Err(Unwritten::Not("an integral without an antiderivative"));
-        }
         let mut lines = Vec::new();
         for way in &ways {
             let function = printer.function(way, by, None, steps)?;
@@ -462,12 +532,90 @@ impl Printed<'_> {
                 "assert (Q{number} : {says} = {function} {high} - {function} {low}) by (integrate_by {function})"
             ));
         }
+        lines.extend(self.over_pieces(number, says, (of, by, limits), printer, steps)?);
+        if lines.is_empty() {
+            return Err(Unwritten::Not("an integral without an antiderivative"));
+        }
         Ok(format!(
             "first\n[ {} ].\ncbv beta in Q{number}; rewrite Q{number}; clear Q{number}.\n",
             lines.join("\n| ")
         ))
     }
 }
+
+impl Printed<'_> {
+    /// The value of an integral between numbers as a sum over pieces, between the places at which what stands between bars or
+    /// under an odd root is 0; nothing where there are none.
+    fn over_pieces(
+        &self,
+        number: usize,
+        says: &str,
+        (of, by, limits): (&Tree, &Name, &(Tree, Tree)),
+        printer: &Printer,
+        steps: &mut Steps,
+    ) -> Result<Option<String>, Unwritten> {
+        let at = |tree: &Tree| guess(tree, &|_| f64::NAN).filter(|value| value.is_finite());
+        let (Some(from), Some(to)) = (at(&limits.0), at(&limits.1)) else {
+            return Ok(None);
+        };
+        let mut places: Vec<(f64, Tree)> = Vec::new();
+        texmath::any(of, &mut |node| {
+            let inner = match node {
+                Tree::Call(name, inner, _) if name.base == r"\abs" => inner,
+                Tree::Root(inner, index, _) if index % 2 == 1 => inner,
+                _ => return false,
+            };
+            for place in integration::zeros(inner, by, [&limits.0, &limits.1]) {
+                let value = at(&place).filter(|value| from < *value && *value < to);
+                let is_new = |value: f64| places.iter().all(|(known, _)| (known - value).abs() > 1e-9);
+                if let Some(value) = value.filter(|value| is_new(*value)) {
+                    places.push((value, place));
+                }
+            }
+            false
+        });
+        if places.is_empty() || places.len() > MOST_PLACES {
+            return Ok(None);
+        }
+        places.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        places.push((to, limits.1.clone()));
+        let (mut before, mut low) = (from, printer.tree(&limits.0, None, steps)?);
+        let (mut values, mut tactics) = (Vec::new(), Vec::new());
+        for (place, end) in places {
+            let middle = 0.5 * (before + place);
+            let own = mapped(of, &|node| match node {
+                Tree::Call(name, inner, _) if name.base == r"\abs" => {
+                    let value = guess(inner, &|letter| if letter == by { middle } else { f64::NAN })?;
+                    without_bars(node, value < 0.0)
+                }
+                _ => None,
+            });
+            let high = printer.tree(&end, None, steps)?;
+            let Some(way) = antiderivatives(&own, by, self.symbols).into_iter().next() else {
+                return Ok(None);
+            };
+            let own = printer.function(&own, by, None, steps)?;
+            let way = printer.function(&way, by, None, steps)?;
+            values.push(format!("({way} {high} - {way} {low})"));
+            tactics.push((high.clone(), format!("piece {own} {way}")));
+            (before, low) = (place, high);
+        }
+        let (mut value, mut tactic) = (String::new(), String::new());
+        for (own, (high, piece)) in values.into_iter().zip(tactics).rev() {
+            (value, tactic) = match value.is_empty() {
+                true => (own, piece),
+                false => (
+                    format!("({own} + {value})"),
+                    format!("(split_at {high}; [{piece} | {tactic}])"),
+                ),
+            };
+        }
+        Ok(Some(format!("assert (Q{number} : {says} = {value}) by {tactic}")))
+    }
+}
+
+/// The most places at which an integral is divided.
+const MOST_PLACES: usize = 4;
 
 /// What an end of an integral is, as its integrand looks there: letters are taken to be some numbers.
 fn end_of(of: &Tree, by: &Name, end: &Tree) -> End {
@@ -571,6 +719,50 @@ fn outermost<'t>(tree: &'t Tree, found: &mut Vec<&'t Operation>) {
         Tree::Operation(operation, _) => found.push(operation),
         tree => {
             tree.find_below(&mut visit);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::files;
+    use crate::Options;
+    use claims::Sheet;
+
+    fn written(tex: &str, assume: &str) -> String {
+        let text = format!(
+            "title = \"t\"\n[symbols]\nparameters = ['a', 'x']\nintegers = ['n', 'k']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\n\
+             tex = '{tex}'\nassume = [{assume}]\nexpect = \"proved\"\n"
+        );
+        let sheet = Sheet::read(&text, &texmath::Symbols::default()).expect("a sheet");
+        let mut files = files(&sheet, 0, &Options::default());
+        assert_eq!(files.len(), 1, "{tex}");
+        files.remove(0).expect("a file")
+    }
+
+    #[test]
+    fn theorems_are_what_is_printed() {
+        let integral = written(r"\int_0^a x^2 \, dx = \frac{a^3}{3}", "");
+        assert!(
+            integral.contains("(RInt (fun x : R => (x ^ 2)) 0 a : R) = ((a ^ 3) / 3)."),
+            "{integral}"
+        );
+        let sum = written(r"\sum_{k=1}^n k = \frac{n (n + 1)}{2}", r"'n \ge 0'");
+        assert!(
+            sum.contains("(rsum 1 n (fun k : R => k)) = ((n * (n + 1)) / 2)."),
+            "{sum}"
+        );
+        let limit = written(r"\lim_{x \to 0} \frac{\sin x}{x} = 1", "");
+        assert!(limit.contains("is_lim (fun x : R => ((sin x) / x)) 0 1."), "{limit}");
+    }
+
+    #[test]
+    fn nothing_holds_that_is_refuted() {
+        let sheet = "title = \"t\"\n[symbols]\nparameters = ['x']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\n\
+                     tex = '\\int_0^1 x \\, dx = 1'\nexpect = \"refuted\"\n";
+        let sheet = Sheet::read(sheet, &texmath::Symbols::default()).expect("a sheet");
+        for file in files(&sheet, 0, &Options::default()).into_iter().flatten() {
+            assert!(!file.contains("Theorem holds"), "{file}");
         }
     }
 }

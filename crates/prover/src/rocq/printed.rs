@@ -273,7 +273,9 @@ impl Reading<'_> {
             }
             Operation::Cases(_) => return Err(Unwritten::Not("values by cases")),
             Operation::Root { .. } | Operation::Arguments(_) => {
-                return Err(Unwritten::Not("a root of symbolic index or a function of several arguments"));
+                return Err(Unwritten::Not(
+                    "a root of symbolic index or a function of several arguments",
+                ));
             }
         })
     }

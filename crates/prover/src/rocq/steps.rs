@@ -480,7 +480,11 @@ impl<'a> Steps<'a> {
         }
         if shown != Property::Integer && self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
-            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            let by = if shown == Property::Integer {
+                "is_integer"
+            } else {
+                "enclose"
+            };
             return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
@@ -546,7 +550,11 @@ impl<'a> Steps<'a> {
         }
         if shown != Property::Integer && self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
-            let by = if shown == Property::Integer { "is_integer" } else { "enclose" };
+            let by = if shown == Property::Integer {
+                "is_integer"
+            } else {
+                "enclose"
+            };
             return Ok(format!("change ({}); {by}", property(shown, &full)));
         }
         if shown == Property::Integer {
