@@ -120,10 +120,8 @@ pub fn sheets(takes: impl Fn(&str) -> bool) -> Vec<(String, String, Sheet)> {
     let handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();
     let taken = handbook.formula.into_iter().filter(|formula| takes(&formula.id));
     let sheet = |formula: Formula| {
-        Some((
-            formula.id.clone(),
-            Sheet::read(&formula.sheet(), &Symbols::default()).ok()?,
-        ))
+        let sheet = Sheet::read(&formula.sheet(), &Symbols::default()).ok()?;
+        Some((formula.construct, formula.id, sheet))
     };
     taken.filter_map(sheet).collect()
 }

@@ -6,12 +6,10 @@ mod steps;
 mod text;
 mod values;
 
-use super::script::{Decided, Found};
 use super::Decision;
+use super::script::{Decided, Found};
 use claims::{Sheet, Statements};
-use kernel::{
-    Certificate, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness,
-};
+use kernel::{Certificate, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness};
 use operations::{Induction, Printed};
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
@@ -218,7 +216,9 @@ impl Theorem {
             }
         }
         if !steps.outright.is_empty() {
-            return Err(Unwritten::Not("a premise with a derivative of what a map says outright"));
+            return Err(Unwritten::Not(
+                "a premise with a derivative of what a map says outright",
+            ));
         }
         own.claim = match whole {
             None => printer.claim(steps)?,
@@ -425,7 +425,11 @@ impl Theorem {
             if let Some(running) = running.filter(|own| statement.flight() == Some(flight) && steps.names.has(*own)) {
                 let time = steps.names.symbol(statement, running);
                 let says = format!("{from} <= {time} <= {to}");
-                self.push(format!("Q{}", steps::place(flight)), says, "a time of the flight".into());
+                self.push(
+                    format!("Q{}", steps::place(flight)),
+                    says,
+                    "a time of the flight".into(),
+                );
             }
         }
         let functions: Vec<_> = steps
@@ -567,6 +571,10 @@ impl Theorem {
         if self.hypotheses.is_empty() {
             return String::new();
         }
+        if !self.maps.is_empty() {
+            return "\n(* That the hypotheses can hold is not written: maps are functions near a point. *)\n"
+                .to_owned();
+        }
         let values = match values(steps, point) {
             Ok(values) => values,
             Err(unwritten) => return format!("\n(* That the hypotheses can hold is not written: {unwritten}. *)\n"),
@@ -589,7 +597,7 @@ impl Theorem {
             let _ = writeln!(text, "exists {value}.");
         }
         for _ in &self.hypotheses {
-            text += "split; [at_point|].\n";
+            text += "split; [cbv beta; at_point|].\n";
         }
         text + "exact I.\nQed.\n"
     }

@@ -726,7 +726,7 @@ fn outermost<'t>(tree: &'t Tree, found: &mut Vec<&'t Operation>) {
 #[cfg(test)]
 mod tests {
     use super::super::files;
-    use crate::Options;
+    use crate::{Options, decided};
     use claims::Sheet;
 
     fn written(tex: &str, assume: &str) -> String {
@@ -735,7 +735,7 @@ mod tests {
              tex = '{tex}'\nassume = [{assume}]\nexpect = \"proved\"\n"
         );
         let sheet = Sheet::read(&text, &texmath::Symbols::default()).expect("a sheet");
-        let mut files = files(&sheet, 0, &Options::default());
+        let mut files = files(&sheet, 0, &decided(&sheet, 0, &Options::default()));
         assert_eq!(files.len(), 1, "{tex}");
         files.remove(0).expect("a file")
     }
@@ -761,7 +761,10 @@ mod tests {
         let sheet = "title = \"t\"\n[symbols]\nparameters = ['x']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\n\
                      tex = '\\int_0^1 x \\, dx = 1'\nexpect = \"refuted\"\n";
         let sheet = Sheet::read(sheet, &texmath::Symbols::default()).expect("a sheet");
-        for file in files(&sheet, 0, &Options::default()).into_iter().flatten() {
+        for file in files(&sheet, 0, &decided(&sheet, 0, &Options::default()))
+            .into_iter()
+            .flatten()
+        {
             assert!(!file.contains("Theorem holds"), "{file}");
         }
     }

@@ -332,9 +332,12 @@ impl Reading<'_> {
         let place = map.of.iter().position(|own| *own == of);
         let image = *place.and_then(|place| map.images.get(place)).ok_or(NO_SYMBOL)?;
         let mut maps = self.decided.goal.symbols.maps();
-        let Some(Equations::Equations(equations)) = maps.find_map(|(name, own)| (name.to_string() == map.name).then_some(own))
+        let Some(Equations::Equations(equations)) =
+            maps.find_map(|(name, own)| (name.to_string() == map.name).then_some(own))
         else {
-            return Err(Unwritten::Not("a derivative along a map that says outright what comes next"));
+            return Err(Unwritten::Not(
+                "a derivative along a map that says outright what comes next",
+            ));
         };
         let printed = statement.terms().symbol_name(of);
         let says = equations.iter().find(|equation| match &equation.left {
@@ -385,7 +388,8 @@ impl Reading<'_> {
         if let Some(map) = all.find(|map| map.name == name.to_string()) {
             let mut rows = Vec::new();
             for of in &map.of {
-                let row: Result<Vec<String>, Unwritten> = map.by.iter().map(|by| self.entry(*of, *by, map, steps)).collect();
+                let row: Result<Vec<String>, Unwritten> =
+                    map.by.iter().map(|by| self.entry(*of, *by, map, steps)).collect();
                 rows.push(row?);
             }
             return Ok(rows);

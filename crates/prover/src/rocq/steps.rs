@@ -152,7 +152,9 @@ impl<'a> Steps<'a> {
     /// The name of a letter that is bound.
     pub fn bound(&self, printed: &str) -> Option<String> {
         let mut known = self.letters.iter().rev();
-        known.find(|(letter, _)| letter == printed).map(|(_, name)| name.clone())
+        known
+            .find(|(letter, _)| letter == printed)
+            .map(|(_, name)| name.clone())
     }
 
     pub fn statement(&mut self) -> &mut Statement {
@@ -813,7 +815,7 @@ impl<'a> Steps<'a> {
                 Guard::Holds(shown, term) => {
                     let own = self.short(term)?;
                     let by = self.shown(shown, term)?;
-                    let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+                    let _ = writeln!(text, "assert (A{count} : {}).\n{{ {by}. }}", property(shown, &own));
                     let is_nothing = self.is_nothing(printed, row, axiom);
                     call += &format!(
                         " {}",
@@ -830,7 +832,7 @@ impl<'a> Steps<'a> {
                             (0, Some(&(shown, of))) => {
                                 let own = self.short(of)?;
                                 let by = self.shown(shown, of)?;
-                                let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+                                let _ = writeln!(text, "assert (A{count} : {}).\n{{ {by}. }}", property(shown, &own));
                                 format!(" (fun _ => A{count})")
                             }
                             _ => " ltac:(discriminate)".to_owned(),
@@ -842,14 +844,14 @@ impl<'a> Steps<'a> {
                     for (shown, of) in domain.conditions {
                         let own = self.short(of)?;
                         let by = self.shown(shown, of)?;
-                        let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+                        let _ = writeln!(text, "assert (A{count} : {}).\n{{ {by}. }}", property(shown, &own));
                         call += &format!(" A{count}");
                         count += 1;
                     }
                 }
                 Guard::Written("even" | "odd", _) => call += " eq_refl",
                 Guard::Written(..) | Guard::Real(_) => {}
-                Guard::Over(kind) if kind == "complex" => return Err(Unwritten::Not("complex numbers")),
+                Guard::Over("complex") => return Err(Unwritten::Not("complex numbers")),
                 Guard::Over(_) => {}
             }
         }
@@ -865,9 +867,9 @@ impl<'a> Steps<'a> {
             (false, _) => format!("(Rge_minus _ _ ({call}))"),
         };
         let own = property(shown, &own);
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "assert (B9 : {own}) by first [exact {whole} | generalize {whole}; lra].\n"
+            "assert (B9 : {own}) by first [exact {whole} | generalize {whole}; lra]."
         );
         text += &self.of_term(shown, term, "B9")?;
         Ok(text)
@@ -916,7 +918,7 @@ impl<'a> Steps<'a> {
         for (count, (shown, of)) in domain.into_iter().enumerate() {
             let own = self.full(of)?;
             let by = self.shown(shown, of)?;
-            let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+            let _ = writeln!(text, "assert (A{count} : {}).\n{{ {by}. }}", property(shown, &own));
             names.push(format!("A{count}"));
         }
         let starts: Vec<String> = step
@@ -942,13 +944,13 @@ impl<'a> Steps<'a> {
         let rewrites: Vec<String> = values.iter().map(|(_, value, _)| format!("?{value}")).collect();
         let rewrites = rewrites.join(", ");
         for name in names {
-            let _ = write!(text, "rewrite {rewrites} in {name}.\n");
+            let _ = writeln!(text, "rewrite {rewrites} in {name}.");
         }
-        let _ = write!(
+        let _ = writeln!(
             text,
             "assert (B9 : {full_slope} = 0).\n{{ change ({full} = 0). refine (slope_of_zero_near (fun {by} => {moved}) {by} _ _ _).\n\
              {{ destruct N{map}_{equation} as (W0 & W1 & W2). exists (mkposreal W0 W1). intros W3 W4. pose proof (W2 {}) as W5. cbv beta zeta in W5. as_printed W5. }}\n\
-             rewrite {rewrites}. differentiate_smooth. }}\n",
+             rewrite {rewrites}. differentiate_smooth. }}",
             starts
                 .iter()
                 .map(|start| if *start == by { "W3".to_owned() } else { start.clone() })
@@ -1202,9 +1204,9 @@ impl<'a> Steps<'a> {
             let ends = self.at_end(&general, at);
             if !ends.is_empty() {
                 let rewrites: Vec<String> = ends.iter().map(|end| format!("?{end}")).collect();
-                let _ = write!(
+                let _ = writeln!(
                     text,
-                    "pose proof ({call}) as B0. rewrite {} in B0.\n",
+                    "pose proof ({call}) as B0. rewrite {} in B0.",
                     rewrites.join(", ")
                 );
                 call = "B0".to_owned();
@@ -1216,20 +1218,20 @@ impl<'a> Steps<'a> {
             }
             if let Some((_, Some(flight))) = self.runs(source) {
                 let within = self.in_flight(flight, &short)?;
-                let _ = write!(text, "assert (I0 : {within}) by within_flight.\n");
+                let _ = writeln!(text, "assert (I0 : {within}) by within_flight.");
                 call += " I0";
             }
         }
         for (count, (shown, of)) in instance.conditions.into_iter().enumerate() {
             let own = self.short(of)?;
             let by = self.shown(shown, of)?;
-            let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &own));
+            let _ = writeln!(text, "assert (A{count} : {}).\n{{ {by}. }}", property(shown, &own));
             call += &format!(" A{count}");
         }
         let own = self.short(instance.term)?;
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "assert (B9 : {}) by exact ({call}).\n",
+            "assert (B9 : {}) by exact ({call}).",
             property(instance.property, &own)
         );
         text += &self.of_term(instance.property, instance.term, "B9")?;
@@ -1339,7 +1341,7 @@ impl<'a> Steps<'a> {
             let mut text = String::new();
             for (count, (shown, of)) in domain.into_iter().enumerate() {
                 let (full, by) = (own.full(of)?, own.shown(shown, of)?);
-                let _ = write!(text, "assert (A{count} : {}).\n{{ {by}. }}\n", property(shown, &full));
+                let _ = writeln!(text, "assert (A{count} : {}).\n{{ {by}. }}", property(shown, &full));
             }
             Ok(format!("{text}assert (B9 : {says}).\n{{ {by}. }}\n"))
         });
@@ -1404,7 +1406,9 @@ impl<'a> Steps<'a> {
         let (within, intro, call) = match flight {
             Some(flight) => {
                 let [from, to] = self.ends(flight)?;
-                let call = format!("(constant_in_flight (fun {name} => {of}) {from} {to} Z9 {name} {at} {during} ltac:(within_flight))");
+                let call = format!(
+                    "(constant_in_flight (fun {name} => {of}) {from} {to} Z9 {name} {at} {during} ltac:(within_flight))"
+                );
                 let within = format!("{from} <= {name} <= {to} -> ");
                 (within, format!("intros {name} {during}. "), call)
             }

@@ -130,6 +130,11 @@ impl Point<'_> {
         if names.into_iter().any(|own| self.first(own).0 == first) {
             return Err(Unwritten::Not("a function given by a formula of its derivative"));
         }
+        if self.has_laws(first) {
+            return Err(Unwritten::Not(
+                "a function given at single times of which a law speaks, as that it has a period",
+            ));
+        }
         let mut conditions = Vec::new();
         for (function, order, time, value) in self.witness.table.clone() {
             let (own, depth) = self.first(function);
@@ -141,7 +146,8 @@ impl Point<'_> {
             }
         }
         let columns = u32::try_from(conditions.len()).unwrap_or(0) + 3;
-        let row = |(order, time, _): &(u32, Rational, Term)| (0..columns).map(|power| slope(power, *order, time)).collect();
+        let row =
+            |(order, time, _): &(u32, Rational, Term)| (0..columns).map(|power| slope(power, *order, time)).collect();
         let rows: Vec<Vec<Rational>> = conditions.iter().map(row).collect();
         let none = Coefficient {
             number: Rational::zero(),
@@ -154,7 +160,11 @@ impl Point<'_> {
             let solved = solve(&rows, &right, &mut Effort::new(EFFORT)).ok().flatten();
             let solved = solved.ok_or(Unwritten::Not("a function given by derivatives at single times"))?;
             let number = self.number(*value)?;
-            for (multiple, own) in solved.into_iter().zip(&mut polynomial).filter(|(multiple, _)| !multiple.is_zero()) {
+            for (multiple, own) in solved
+                .into_iter()
+                .zip(&mut polynomial)
+                .filter(|(multiple, _)| !multiple.is_zero())
+            {
                 match &number {
                     Some(number) => own.number = own.number.clone() + multiple * number.clone(),
                     None => own.others.push((multiple, *value)),
@@ -165,10 +175,27 @@ impl Point<'_> {
         Ok(polynomial)
     }
 
+    /// Whether a law speaks of a function, or of one that is a derivative of it.
+    fn has_laws(&mut self, first: Function) -> bool {
+        let statement = self.at.statement();
+        let laws = statement.givens().iter().filter(|given| given.law.is_some());
+        let inside = laws.flat_map(|given| statement.terms().inside(given.term));
+        let spoken: BTreeSet<Function> = inside
+            .filter_map(|inner| match statement.terms().node(inner) {
+                Node::Value(function, ..) => Some(*function),
+                _ => None,
+            })
+            .collect();
+        spoken.into_iter().any(|own| self.first(own).0 == first)
+    }
+
     /// A closed term that is a rational number.
     fn number(&mut self, term: Term) -> Result<Option<Rational>, Unwritten> {
         let quotient = Expansion::new(BTreeSet::new(), EFFORT).of(self.at.statement().terms(), term)?;
-        Ok(quotient.numerator.as_constant().filter(|_| quotient.divisors.is_empty()))
+        Ok(quotient
+            .numerator
+            .as_constant()
+            .filter(|_| quotient.divisors.is_empty()))
     }
 }
 
@@ -178,7 +205,10 @@ fn slope(power: u32, order: u32, at: &Rational) -> Rational {
         return Rational::zero();
     }
     let falling = (0..order).map(|less| Rational::from_integer(i64::from(power - less)));
-    falling.fold(at.to_power(i32::try_from(power - order).unwrap_or(i32::MAX)), |all, factor| all * factor)
+    falling.fold(
+        at.to_power(i32::try_from(power - order).unwrap_or(i32::MAX)),
+        |all, factor| all * factor,
+    )
 }
 
 /// The letter of the functions of a point.
