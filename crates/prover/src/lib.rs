@@ -38,6 +38,7 @@ mod powers;
 mod print;
 mod proof;
 mod referee;
+mod referee_lines;
 mod referee_point;
 mod referee_proof;
 pub mod rocq;
@@ -58,7 +59,8 @@ use outcome::{Outcome, outcome};
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted, settle_second_values};
 pub use explanation::{Explanation, explain, formula};
-pub use referee::{LONGEST, NoScript, short_scripts};
+pub use referee::short_scripts;
+pub use referee_lines::{LONGEST, NoScript};
 pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
 
 use claims::{

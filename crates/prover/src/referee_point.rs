@@ -2,7 +2,7 @@
 
 use super::formula::quoted;
 use super::print::{simplified, tex};
-use super::referee::{Block, NoScript};
+use super::referee_lines::{Block, NoScript};
 use super::script::Decided;
 use super::sympy::{Printer, number};
 use kernel::{At, EFFORT, Function, Given, Node, Origin, Property, Statement, Symbol, Term, With, Witness, refute};

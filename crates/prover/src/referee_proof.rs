@@ -2,7 +2,7 @@
 
 use super::explanation::{Proof, named, unmarked};
 use super::print::tex;
-use super::referee::{Block, NoScript, WIDEST};
+use super::referee_lines::{Block, NoScript, WIDEST};
 use super::script::Decided;
 use super::session::term_of;
 use super::sympy::{Printer, assumptions, number};
