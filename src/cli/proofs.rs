@@ -104,7 +104,10 @@ impl ProofForm {
         }
         let mut taken = BTreeSet::new();
         let module = |name: String| {
-            let mut module = format!("eq_{}", name.replace(['.', '-'], "_"));
+            // two underscores stand before the number of a further file
+            let plain = name.replace(['.', '-'], "_");
+            let parts: Vec<&str> = plain.split('_').filter(|part| !part.is_empty()).collect();
+            let mut module = format!("eq_{}", parts.join("_"));
             while !taken.insert(module.clone()) {
                 module.push('_');
             }

@@ -349,7 +349,7 @@ fn a_claim_without_a_short_script_is_named_with_the_reason() {
         .run();
     assert!(ran.stdout.starts_with("label "), "{}", ran.stdout);
     let said = [
-        "decided claims have no short scripts",
+        "4 of 15 decided claims are not written as short scripts",
         "more than 40 lines: (23)",
         "derivatives along a map: (22)",
     ];

@@ -132,15 +132,19 @@ Ltac is_known_nonzero :=
     [ assumption
     | apply Rgt_not_eq; assumption
     | apply PI_neq0
-    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end
-    | lra
     | match goal with
-      | H : ?q <> 0 |- ?e <> 0 => intro; apply H; lra
-      | H : ?q <> 0 |- ?e <> 0 => let Z := fresh in intro Z; apply H; rewrite Z; ring
-      | H : ?q > 0 |- ?e <> 0 => intro; cut (q = 0); [lra|lra]
+      | |- IZR _ <> 0 => let Z := fresh in intro Z; clear - Z; lra
+      | |- ?a * ?b <> 0 => apply Rmult_integral_contrapositive_currified; is_known_nonzero
+      | |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero
       end
-    | match goal with |- ?a * ?b <> 0 => apply Rmult_integral_contrapositive_currified; is_known_nonzero end
-    | match goal with |- ?a ^ ?n <> 0 => apply pow_nonzero; is_known_nonzero end
+    | match goal with
+      (* what else is known would take long to look through *)
+      | H : ?q <> 0 |- ?e <> 0 => let Z := fresh in intro Z; apply H; clear - Z; lra
+      | H : ?q <> 0 |- ?e <> 0 => let Z := fresh in intro Z; apply H; rewrite Z; clear; ring
+      | H : ?q > 0 |- ?e <> 0 =>
+        let Z := fresh in intro Z; cut (q = 0); [clear - H; intro; lra | clear - Z; lra]
+      end
+    | lra
     | enclose ].
 
 Ltac each_known_nonzero := repeat match goal with |- _ /\ _ => split end; is_known_nonzero.
@@ -151,7 +155,7 @@ Ltac is_nonzero :=
     [ is_known_nonzero
     | match goal with
       | H : ?q <> 0 |- ?e <> 0 =>
-        let Z := fresh in intro Z; apply H; field_simplify_eq; [lra | clear Z; each_known_nonzero]
+        let Z := fresh in intro Z; apply H; field_simplify_eq; [clear - Z; lra | clear Z; each_known_nonzero]
       end ].
 
 Ltac nonzero := repeat match goal with |- _ /\ _ => split end; is_nonzero.

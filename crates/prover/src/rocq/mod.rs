@@ -35,21 +35,28 @@ pub const CHECK: &str = include_str!("check.sh");
 /// A text within a comment of Rocq, which may hold neither its signs nor a lone quotation mark.
 fn comment(text: &str) -> String {
     let text: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    text.replace("(*", "( *").replace("*)", "* )").replace('"', "''")
+    // a star between blanks opens and closes nothing, whatever stands beside it
+    text.replace('*', " * ").replace('"', "''")
 }
 
 /// The files about the claim at a position, which is decided by these questions, and why something is not written: one file for each question that decides it, or one about
 /// the printed formula where that holds a sum, an integral or the like and is proved.
 pub fn files(sheet: &Sheet, position: usize, decided: &[Decided]) -> Vec<Result<String, Unwritten>> {
     if decided.is_empty() {
-        return vec![Err(Unwritten::Not("letters that need not commute"))];
+        return vec![Err(Unwritten::Not(
+            "letters that need not commute, or what has a value nowhere",
+        ))];
     }
     let is_proved = |one: &Decided| matches!(one.found, Found::Proved { .. });
     let statements = Decision::without_search(sheet, position).ok();
     let has_operations = |statements: &Statements| statements.claims.iter().any(operations::has_operations);
+    let is_reduced = decided.iter().any(|one| !one.goal.statements.rules.is_empty());
     let whole = match statements.filter(has_operations) {
         Some(statements) if decided.iter().all(is_proved) => Some(whole(&statements, &sheet.symbols, decided)),
-        _ => None,
+        None if !is_reduced => None,
+        _ => Some(Err(Unwritten::Not(
+            "the printed formula: files say the goals that it is reduced to",
+        ))),
     };
     // the questions themselves are better than nothing
     let is_written = whole.as_ref().is_some_and(Result::is_ok);
