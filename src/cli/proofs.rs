@@ -23,7 +23,7 @@ pub enum ProofForm {
     Rocq,
 }
 
-/// What is written of a claim, and why something is not.
+/// The files that are written of a claim, and why others are not.
 struct Written {
     files: Vec<String>,
     missing: Vec<String>,

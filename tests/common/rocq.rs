@@ -19,7 +19,7 @@ pub fn library() -> Option<&'static PathBuf> {
             eprintln!("skipped: no coqc here (Debian: apt-get install coq libcoq-coquelicot libcoq-interval)");
             return None;
         }
-        let folder = std::env::temp_dir().join(format!("vibro-rocq-{}", std::process::id()));
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("rocq");
         std::fs::create_dir_all(&folder).unwrap();
         for (name, text) in LIBRARY {
             std::fs::write(folder.join(name), text).unwrap();

@@ -78,10 +78,8 @@ impl Axiom {
         let guards = row.guards.iter().map(|guard| read(guard)).collect::<Result<_, _>>()?;
         Ok((guards, read(row.conclusion)?))
     }
-}
 
-impl Axiom {
-    /// What it concludes of which term, and what must hold for that.
+    /// The property that it concludes of a term, and the conditions for that.
     ///
     /// # Errors
     /// A [`Refusal`] where there is no such axiom of as many letters.

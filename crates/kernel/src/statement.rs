@@ -126,12 +126,12 @@ pub struct Given {
     pub law: Option<Law>,
 }
 
-/// What a law says at one time, for the impacts moved on, or an axiom of some terms.
+/// A law at one time, for the impacts moved on, or an axiom of some terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Instance {
     pub property: Property,
     pub term: Term,
-    /// What must hold for it: the conditions, and that all of it is defined.
+    /// The conditions under which it holds, and that all of it is defined.
     pub conditions: Vec<(Property, Term)>,
 }
 

@@ -14,7 +14,7 @@ pub struct Formulas<'a> {
     question: &'a Question,
 }
 
-/// What a name means within a formula.
+/// The meaning of a name within a formula.
 pub enum Meaning {
     /// A symbol of the data, by its name there.
     Symbol(String),
@@ -348,7 +348,7 @@ impl Within<'_> {
         self.symbols.running().map_or("t".to_string(), Name::to_string)
     }
 
-    /// What a name means without an argument: functions are taken at the running time.
+    /// The meaning of a name without an argument: functions are taken at the running time.
     pub fn meaning(&self, name: &Name) -> Meaning {
         let symbols = self.symbols;
         if self.is_declared(name) || symbols.is_index(name) {
@@ -385,7 +385,7 @@ impl Within<'_> {
         Some(indexed(bare, index, after, letter))
     }
 
-    /// What function, or motion, a name is of.
+    /// The function, or motion, that a name is of.
     fn unknown(&self, name: &Name) -> Option<Unknown> {
         let plain = Name {
             primes: 0,
@@ -415,7 +415,7 @@ impl Within<'_> {
         })
     }
 
-    /// What a name means with an argument, where it is no elementary function.
+    /// The meaning of a name with an argument, where it is no elementary function.
     pub fn called(&self, name: &Name, argument: &Tree) -> Option<Meaning> {
         if let Tree::Symbol(time, _) = argument
             && self.symbols.is_time(&time.bare())

@@ -36,7 +36,7 @@ pub(super) fn write(one: &Decided, witness: &With<Witness>, block: &mut Block) -
     Ok(())
 }
 
-/// What is given, but for what holds of all functions that are declared.
+/// All that is given, but for what holds of all functions that are declared.
 fn spoken_givens(statement: &Statement) -> Vec<Given> {
     let goals: BTreeSet<Term> = statement
         .goal()

@@ -110,7 +110,7 @@ fn symbols_in(statement: &Statement, term: Term) -> BTreeSet<Symbol> {
 /// A fact as a script has it.
 struct Written {
     name: String,
-    /// What it is multiplied by to be the fact; empty for 1.
+    /// The factor that it is multiplied by to be the fact; empty for 1.
     multiplier: String,
 }
 
@@ -139,7 +139,7 @@ struct Writer<'a> {
     certificate: &'a Certificate,
     printer: Printer,
     written: BTreeMap<usize, Written>,
-    /// How many expressions have a name.
+    /// The number of expressions that have a name.
     count: usize,
     /// The names of equations of maps, and the derivatives of functions in these.
     equations: BTreeMap<(usize, usize), String>,
@@ -263,7 +263,7 @@ impl Writer<'_> {
         Ok(self.printer.expression(&self.proof.statement, term)?)
     }
 
-    /// What must be known for a step, where a fact is needed to say so.
+    /// The conditions of a step, where a fact is needed to say so.
     fn conditions(&mut self, fact: usize) -> Result<Vec<Condition>, NoScript> {
         let statement = &mut self.proof.statement;
         let needed = match self.proof.facts[fact].1.clone() {
@@ -490,7 +490,7 @@ impl Writer<'_> {
         Ok(multiplier)
     }
 
-    /// What must hold for a step; what is 0 by a combination is asserted.
+    /// The conditions of a step; what is 0 by a combination is asserted.
     fn conditions_in_words(&mut self, conditions: &[Condition]) -> Result<Vec<String>, NoScript> {
         let mut words = Vec::new();
         for condition in conditions {
@@ -537,7 +537,7 @@ impl Writer<'_> {
         (polynomial == fact.polynomial).then_some((term, multiplier))
     }
 
-    /// What a step rests on as it is printed.
+    /// The givens that a step rests on, as they are printed.
     fn printed(&self, step: &Inference) -> Option<String> {
         match step {
             Inference::Given(given)
@@ -810,7 +810,7 @@ fn slope_along(statement: &mut Statement, map: usize, equation: usize, by: Symbo
     Ok([statement.written_out(*term), statement.along(*term, &step, by)])
 }
 
-/// What must hold for an equation of a map to be differentiated along it.
+/// The conditions for an equation of a map to be differentiated along it.
 fn along_conditions(
     statement: &mut Statement,
     map: usize,

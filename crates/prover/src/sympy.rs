@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How tightly an expression binds in Python.
+/// The binding strength of an expression in Python.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Binding {
     Sum,
@@ -291,7 +291,7 @@ fn assumption(statement: &Statement, term: Term, property: Property) -> bool {
     givens.any(|given| given.property == property && given.term == term)
 }
 
-/// What SymPy is to assume of a symbol.
+/// The assumptions of SymPy on a symbol.
 pub fn assumptions(statement: &mut Statement, symbol: Symbol) -> String {
     let term = statement.terms_mut().symbol(symbol);
     if !statement.is_real(term) {

@@ -9,7 +9,7 @@ mod values;
 use super::Decision;
 use super::script::{Decided, Found};
 use claims::{Sheet, Statements};
-use kernel::{Certificate, Function, Given, Node, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness};
+use kernel::{Certificate, Function, Given, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness};
 use operations::{Induction, Printed};
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
@@ -75,7 +75,7 @@ fn whole(statements: &Statements, symbols: &Symbols, decided: &[Decided]) -> Res
     written(operations::main_goal(decided)?, Some(printed))
 }
 
-/// What a file starts with.
+/// The beginning of a file.
 const REQUIRED: &str =
     "Require Import VibroClaims.\nRequire Import Reals Lra Lia Coquelicot.Coquelicot.\nOpen Scope R_scope.\n\n";
 
@@ -148,7 +148,7 @@ fn verdict(decided: &Decided) -> &'static str {
 struct Hypothesis {
     name: String,
     says: String,
-    /// What it is in print, or where it comes from.
+    /// The printed formula, or its origin.
     comment: String,
 }
 
@@ -161,21 +161,14 @@ struct Theorem {
     bridges: Vec<String>,
     /// The functions that maps are, each with how many quantities the map starts from.
     maps: Vec<(String, usize)>,
-    /// What replaces the operations of the claim by their values, where it is one that holds such.
+    /// The tactics that replace the operations of the claim by their values, where it is one that holds such.
     values: Option<String>,
     /// The proof of a claim that needs no goal.
     proof: Option<String>,
     /// The tactic that leads from the goal to the claim.
     conclude: &'static str,
-    /// Whether the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
+    /// True if the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
     is_whole: bool,
-}
-
-/// Returns true if a term is a number.
-fn is_closed(statement: &Statement, term: Term) -> bool {
-    let terms = statement.terms();
-    let is_free = |inner: Term| matches!(terms.node(inner), Node::Symbol(_) | Node::Value(..));
-    !terms.inside(term).into_iter().any(is_free)
 }
 
 impl Theorem {
@@ -315,7 +308,7 @@ impl Theorem {
         }
         let Some((printed, why)) = printed else {
             let is_bare = before.conditions.is_empty() && before.time.is_none();
-            match self.is_whole && is_bare && is_closed(steps.statement(), given.term) {
+            match self.is_whole && is_bare && steps.statement().terms().is_closed(given.term) {
                 true => self.bridges.push(format!("assert ({name} : {says}) by at_point.")),
                 false => self.push(name, before.all(&says), comment(&given.origin.to_string())),
             }

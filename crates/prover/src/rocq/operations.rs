@@ -162,7 +162,7 @@ impl<'a> Induction<'a> {
         Ok(text)
     }
 
-    /// What is declared of the letters that are named, and the conditions of the claim that do not move.
+    /// Takes in what is declared of the letters that are named, and the conditions of the claim that do not move.
     fn add_givens(
         &self,
         moves: &str,
@@ -213,7 +213,7 @@ impl<'a> Induction<'a> {
         found
     }
 
-    /// What writes the ends of sums and products at the first value as numbers, and at the next value by the ends before.
+    /// The tactics that write the ends of sums and products at the first value as numbers, and at the next value by the ends before.
     fn ends(
         &self,
         equation: &Equation,
@@ -297,7 +297,7 @@ pub struct Valued {
     pub proof: Option<String>,
 }
 
-/// What an end of an integral is.
+/// The kinds of an end of an integral.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
     Proper,
@@ -423,7 +423,7 @@ impl Printed<'_> {
         }
     }
 
-    /// What replaces each operation of the claim by its value, line by line.
+    /// The tactics that replace each operation of the claim by its value, line by line.
     ///
     /// # Errors
     /// Which operation has no value here.
@@ -617,7 +617,7 @@ impl Printed<'_> {
 /// The most places at which an integral is divided.
 const MOST_PLACES: usize = 4;
 
-/// What an end of an integral is, as its integrand looks there: letters are taken to be some numbers.
+/// The kind of an end of an integral, as its integrand looks there: letters are taken to be some numbers.
 fn end_of(of: &Tree, by: &Name, end: &Tree) -> End {
     if has_operation(end) {
         return End::Infinite;

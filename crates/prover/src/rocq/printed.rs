@@ -14,7 +14,7 @@ use texmath::{
 pub struct Printer<'a> {
     decided: &'a Decided,
     formulas: Formulas<'a>,
-    /// Whether sums, integrals and the like are written.
+    /// True if sums, integrals and the like are written.
     has_operations: bool,
 }
 
@@ -97,7 +97,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// What determines a symbol, said of a value of it.
+    /// The equation that determines a symbol, said of a value of it.
     fn solves(&self, symbol: &str, value: &str, steps: &mut Steps) -> Text {
         let mut all = Vec::new();
         for premise in &self.decided.goal.statements.premises {

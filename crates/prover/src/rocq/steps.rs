@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use texmath::Name;
 
-/// What a step rests on.
+/// Something that a step rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ground {
     Fact(usize),
@@ -51,13 +51,13 @@ pub struct Steps<'a> {
     pub flights: BTreeSet<i32>,
     /// The derivatives of what maps say outright that are written, with what they are.
     pub outright: BTreeMap<String, Term>,
-    /// How many times have been bound.
+    /// The number of times that have been bound.
     bound: usize,
     /// Letters that printed formulas bind, with the names that they have there, the innermost last.
     letters: Vec<(String, String)>,
 }
 
-/// What stands before a law: the time over which it runs, the flight that it is in, and its conditions.
+/// The beginning of a law: the time over which it runs, the flight that it is in, and its conditions.
 #[derive(Default)]
 pub struct Before {
     pub time: Option<String>,
@@ -266,7 +266,7 @@ impl<'a> Steps<'a> {
         Ok(format!("{from} <= {time} <= {to}"))
     }
 
-    /// What stands before a given law, and what it says.
+    /// The beginning of a given law, and what it says.
     pub fn law_said(&mut self, given: usize, shift: i32) -> Result<(Before, String), Unwritten> {
         let source = LawSource::Given { given, shift };
         let instance = self.general(source)?;
@@ -453,46 +453,47 @@ impl<'a> Steps<'a> {
             return Ok("apply Req_ge; same_fraction".into());
         }
         if let Some((number, factor)) = self.saying(shown, &polynomial) {
-            let factor = super::text::number(&factor);
             let is_sign = matches!(shown, Property::Positive | Property::NonNegative);
             let by = self.divisors(&quotient, is_sign)?;
-            return Ok(match shown {
-                Property::Zero => {
-                    let fact = self.fact(number);
-                    format!("refine (zero_of _ {by} {factor} _ {fact} _ _); [nonzero | same_fraction]")
-                }
-                Property::Nonzero => {
-                    let fact = self.nonzero_fact(number)?;
-                    format!("refine (nonzero_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
-                }
-                Property::Positive => {
-                    let fact = self.fact(number);
-                    format!("refine (positive_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
-                }
-                Property::NonNegative if self.property_of(number)? == Property::Zero => {
-                    let fact = self.fact(number);
-                    format!("apply Req_ge; refine (zero_of _ {by} {factor} _ {fact} _ _); [nonzero | same_fraction]")
-                }
-                Property::NonNegative => {
-                    let fact = self.nonnegative_fact(number)?;
-                    format!("refine (nonnegative_of _ {by} {factor} _ {fact} _ _ _); [lra | nonzero | same_fraction]")
-                }
-                Property::Integer => format!("exact {}", self.fact(number)),
-            });
+            return self.by_fact(shown, number, &factor, &by, "nonzero");
         }
         if shown != Property::Integer && self.checker.statement.sign_of(&polynomial).is_some() {
             let full = self.full(term)?;
-            let by = if shown == Property::Integer {
-                "is_integer"
-            } else {
-                "enclose"
-            };
-            return Ok(format!("change ({}); {by}", property(shown, &full)));
+            return Ok(format!("change ({}); enclose", property(shown, &full)));
         }
         if shown == Property::Integer {
             return self.integer(&polynomial);
         }
         self.absurd().ok_or(NO_SUCH)
+    }
+
+    /// The tactic that shows a property by a fact: what it is said of, times `by`, is a multiple of the fact. That `by` is not 0 is left to
+    /// the tactic `nonzero`.
+    fn by_fact(&mut self, shown: Property, number: usize, factor: &Rational, by: &str, nonzero: &str) -> Text {
+        let factor = super::text::number(factor);
+        Ok(match shown {
+            Property::Zero => {
+                let fact = self.fact(number);
+                format!("refine (zero_of _ {by} {factor} _ {fact} _ _); [{nonzero} | same_fraction]")
+            }
+            Property::Nonzero => {
+                let fact = self.nonzero_fact(number)?;
+                format!("refine (nonzero_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
+            }
+            Property::Positive => {
+                let fact = self.fact(number);
+                format!("refine (positive_of _ {by} {factor} _ {fact} _ _); [lra | same_fraction]")
+            }
+            Property::NonNegative if self.property_of(number)? == Property::Zero => {
+                let fact = self.fact(number);
+                format!("apply Req_ge; refine (zero_of _ {by} {factor} _ {fact} _ _); [{nonzero} | same_fraction]")
+            }
+            Property::NonNegative => {
+                let fact = self.nonnegative_fact(number)?;
+                format!("refine (nonnegative_of _ {by} {factor} _ {fact} _ _ _); [lra | {nonzero} | same_fraction]")
+            }
+            Property::Integer => format!("exact {}", self.fact(number)),
+        })
     }
 
     fn as_given(&mut self, shown: Property, term: Term) -> Option<String> {
@@ -525,39 +526,11 @@ impl<'a> Steps<'a> {
             return Ok("apply Req_ge; reflexivity".into());
         }
         if let Some((number, factor)) = self.saying(shown, polynomial) {
-            let factor = super::text::number(&factor);
-            return Ok(match shown {
-                Property::Zero => {
-                    let fact = self.fact(number);
-                    format!("refine (zero_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
-                }
-                Property::Nonzero => {
-                    let fact = self.nonzero_fact(number)?;
-                    format!("refine (nonzero_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
-                }
-                Property::Positive => {
-                    let fact = self.fact(number);
-                    format!("refine (positive_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
-                }
-                Property::NonNegative if self.property_of(number)? == Property::Zero => {
-                    let fact = self.fact(number);
-                    format!("apply Req_ge; refine (zero_of _ 1 {factor} _ {fact} _ _); [lra | same_fraction]")
-                }
-                Property::NonNegative => {
-                    let fact = self.nonnegative_fact(number)?;
-                    format!("refine (nonnegative_of _ 1 {factor} _ {fact} _ _ _); [lra | lra | same_fraction]")
-                }
-                Property::Integer => format!("exact {}", self.fact(number)),
-            });
+            return self.by_fact(shown, number, &factor, "1", "lra");
         }
         if shown != Property::Integer && self.checker.statement.sign_of(polynomial).is_some() {
             let full = self.full_polynomial(polynomial)?;
-            let by = if shown == Property::Integer {
-                "is_integer"
-            } else {
-                "enclose"
-            };
-            return Ok(format!("change ({}); {by}", property(shown, &full)));
+            return Ok(format!("change ({}); enclose", property(shown, &full)));
         }
         if shown == Property::Integer {
             return self.integer(polynomial);
@@ -875,7 +848,7 @@ impl<'a> Steps<'a> {
         Ok(text)
     }
 
-    /// Whether the right side of a relation is 0, which the kernel leaves out.
+    /// Returns true if the right side of a relation is 0, which the kernel leaves out.
     fn is_nothing(&self, printed: &str, row: &AxiomRow, axiom: &Axiom) -> bool {
         let terms = self.checker.statement.terms();
         let is_zero = |term: Term| matches!(terms.node(term), Node::Number(value) if value.0.is_zero());
@@ -1482,7 +1455,7 @@ fn relation(shown: Property, printed: &str, is_nothing: bool, proof: &str, natur
     }
 }
 
-/// What the outermost function of a term needs of its argument, and the index where it is a root.
+/// The needs of the outermost function of a term: and the index where it is a root.
 struct Domain {
     root: Option<u32>,
     conditions: Vec<(Property, Term)>,

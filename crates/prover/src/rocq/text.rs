@@ -170,7 +170,7 @@ impl Names {
         name
     }
 
-    /// Whether a symbol has a name.
+    /// Returns true if a symbol has a name.
     pub fn has(&self, symbol: Symbol) -> bool {
         self.symbols.contains_key(&symbol)
     }
@@ -255,12 +255,12 @@ pub fn property(property: Property, of: &str) -> String {
     }
 }
 
-/// The writer of terms: parts of `named` are written by the names `g` and a number, and those met are noted.
+/// The writer of terms: where it is short, a generator is written as `g` and its number, and noted.
 pub struct Writer<'a> {
     pub statement: &'a Statement,
     pub names: &'a mut Names,
     pub whole: &'a BTreeSet<Term>,
-    /// Whether generators have names.
+    /// True if generators have names.
     pub is_short: bool,
     /// The generators that were written by their names.
     pub met: BTreeSet<Term>,

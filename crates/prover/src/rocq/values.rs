@@ -175,7 +175,7 @@ impl Point<'_> {
         Ok(polynomial)
     }
 
-    /// Whether a law speaks of a function, or of one that is a derivative of it.
+    /// Returns true if a law speaks of a function, or of one that is a derivative of it.
     fn has_laws(&mut self, first: Function) -> bool {
         let statement = self.at.statement();
         let laws = statement.givens().iter().filter(|given| given.law.is_some());
