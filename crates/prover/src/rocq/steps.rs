@@ -39,6 +39,74 @@ struct Written {
     on: Grounds,
 }
 
+/// Sums that are used once, as multiples, and are written where they are used: a chain of reductions is one identity then, in
+/// place of an identity for each of its long intermediate sums.
+struct Chains {
+    uses: BTreeMap<usize, usize>,
+    sums: BTreeMap<usize, Vec<(Polynomial, usize)>>,
+}
+
+impl Chains {
+    /// No sums yet, of steps in one scope.
+    fn new(steps: &[Inference]) -> Self {
+        let (mut uses, mut open) = (BTreeMap::new(), steps.iter().collect::<Vec<_>>());
+        while let Some(step) = open.pop() {
+            open.extend(step.within());
+            if let Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } =
+                step
+            {
+                terms.iter().for_each(|(_, fact)| *uses.entry(*fact).or_insert(0) += 1);
+            }
+        }
+        Self {
+            uses,
+            sums: BTreeMap::new(),
+        }
+    }
+
+    /// Adds the sum that a step says a fact is.
+    fn add(&mut self, fact: usize, step: &Inference) {
+        if let Inference::Zero {
+            power: 1,
+            squares,
+            factors,
+            terms,
+            ..
+        } = step
+            && squares.is_empty()
+            && factors.is_empty()
+            && self.uses.get(&fact) == Some(&1)
+        {
+            self.sums.insert(fact, terms.clone());
+        }
+    }
+
+    /// Returns the step with the sums that it uses as multiples written out.
+    fn joined(&self, step: &Inference) -> Inference {
+        let mut step = step.clone();
+        if let Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } =
+            &mut step
+        {
+            let mut all: BTreeMap<usize, Polynomial> = BTreeMap::new();
+            for (coefficient, fact) in std::mem::take(terms) {
+                let single = vec![(Polynomial::integer(1), fact)];
+                let (sum, factor) = match (self.sums.get(&fact), coefficient.as_constant()) {
+                    (Some(sum), Some(constant)) => (sum, Polynomial::constant(&constant)),
+                    _ => (&single, coefficient),
+                };
+                for (own, fact) in sum {
+                    let more = own.times(&factor);
+                    all.entry(*fact)
+                        .and_modify(|known| *known = known.plus(&more))
+                        .or_insert(more);
+                }
+            }
+            *terms = all.into_iter().map(|(fact, coefficient)| (coefficient, fact)).collect();
+        }
+        step
+    }
+}
+
 /// A proof that is being written.
 pub struct Steps<'a> {
     checker: Checker<'a>,
@@ -561,9 +629,12 @@ impl<'a> Steps<'a> {
         steps: &[Inference],
         wanted: &mut dyn FnMut(&mut Self) -> Text,
     ) -> Result<(String, Grounds), Unwritten> {
-        let mut written = Vec::new();
+        let (mut written, mut chains) = (Vec::new(), Chains::new(steps));
         for step in steps {
-            let own = self.step(step)?;
+            let step = chains.joined(step);
+            let place = self.checker.facts.len();
+            let own = self.step(&step)?;
+            chains.add(place, &step);
             written.push(own);
         }
         self.on.clear();
