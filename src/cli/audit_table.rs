@@ -4,6 +4,7 @@ use super::source::Source as Input;
 use super::{Answer, Content, Exit, Failure, Options, outcomes};
 use crate::claim::{Sheet, Source, Standing, Verdict};
 use crate::evidence::Evidence;
+use crate::prove::rocq::{self, Unwritten};
 use crate::prove::{self, Counterexample, Decision, Explanation};
 use crate::reference::Outcome;
 use crate::repair::{Part as Place, Repair, Repairs};
@@ -50,6 +51,14 @@ impl Row {
     /// Whether the verdict is what the sheet expects, or known.
     pub fn is_expected(&self) -> bool {
         self.decision.is_expected() || self.is_known == Some(true)
+    }
+
+    /// Returns true if something decides the claim that a proof can show.
+    pub fn is_decided(&self) -> bool {
+        match self.decision.verdict {
+            Verdict::Proved | Verdict::Refuted | Verdict::Conditional => true,
+            Verdict::Undecided | Verdict::Unread | Verdict::Given | Verdict::Suspect => false,
+        }
     }
 
     /// The verdict that is expected; none of a document without comments.
@@ -372,7 +381,27 @@ impl Audited {
         let token = Token::current();
         let printed = |row: &Row| {
             let explained = token.during(|| explained(&self.sheet, row, how));
-            Printed::new(&self.sheet, row.position, &row.decision, row.repairs(), &explained)
+            let decided = match row.is_decided() {
+                true => token.during(|| prove::decided(&self.sheet, row.position, how)),
+                false => Vec::new(),
+            };
+            let files = match decided.is_empty() {
+                true => Vec::new(),
+                false => rocq::files(&self.sheet, row.position, &decided),
+            };
+            let theorems = files.into_iter().map(|file| {
+                let theorem = rocq::theorem(&file?).map(str::to_owned);
+                theorem.ok_or(Unwritten::Not("a theorem"))
+            });
+            let (decision, repairs) = (&row.decision, row.repairs());
+            Printed::new(
+                &self.sheet,
+                row.position,
+                decision,
+                repairs,
+                &explained,
+                theorems.collect(),
+            )
         };
         let printed: Vec<Printed> = self.rows.par_iter().map(printed).collect();
         let verdicts = table(&self.rows, &self.sheet, Format::Html)?;

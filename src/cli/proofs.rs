@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::audit_table::Row;
-use crate::claim::{Sheet, Verdict};
+use crate::claim::Sheet;
 use crate::prove::{self, rocq};
 use crate::report::{Format, NewDirectory, OutputError};
 use crate::stop::Token;
@@ -131,7 +131,7 @@ impl ProofForm {
         let [ending, what, how] = self.described();
         let rows: Vec<usize> = rows
             .iter()
-            .filter(|row| is_decided(row))
+            .filter(|row| row.is_decided())
             .map(|row| row.position)
             .collect();
         let names = self.names(sheet, &rows);
@@ -165,13 +165,6 @@ impl ProofForm {
         super::note(&format!("{count} {what} in {}: {how}", directory.display()));
         tell_without(sheet, &rows, &written, what);
         Ok(())
-    }
-}
-
-fn is_decided(row: &Row) -> bool {
-    match row.decision.verdict {
-        Verdict::Proved | Verdict::Refuted | Verdict::Conditional => true,
-        Verdict::Undecided | Verdict::Unread | Verdict::Given | Verdict::Suspect => false,
     }
 }
 

@@ -5,6 +5,7 @@ use super::{Verdicts, anchor, badge, foreign};
 use crate::claim::{Sheet, Source};
 use crate::kernel::DERIVATIVES_EXIST;
 use crate::markup::{Element, Markup, element, text_in};
+use crate::prove::rocq::Unwritten;
 use crate::prove::{Counterexample, Decision, Explanation};
 use crate::repair::{Part as Place, Repair};
 use crate::report::{Cell, Table};
@@ -193,16 +194,19 @@ pub struct Printed {
     names: Names,
     source: String,
     explained: Option<Element>,
+    /// Theorems for Rocq, or why there is none.
+    theorems: Vec<Result<String, Unwritten>>,
 }
 
 impl Printed {
-    /// The formula of the claim at a position; `explained` is its proof or counterexample.
+    /// The formula of the claim at a position; `explained` is its proof or counterexample, `theorems` what Rocq can check of it.
     pub fn new(
         sheet: &Sheet,
         position: usize,
         decision: &Decision,
         repairs: &[Repair],
         explained: &Explanation,
+        theorems: Vec<Result<String, Unwritten>>,
     ) -> Self {
         let names = &sheet.symbols.names;
         let entry = sheet.entries.get(position);
@@ -262,6 +266,7 @@ impl Printed {
             names: names.clone(),
             source: tex,
             explained: typeset(explained, names),
+            theorems,
         }
     }
 }
@@ -404,6 +409,13 @@ fn article(
         );
     }
     let mut article = element("article", [element("h3", head)]).and([formula(&own.formula)]);
+    article = article.and(own.theorems.iter().map(|theorem| {
+        let [name, text] = match theorem {
+            Ok(theorem) => ["Theorem for Rocq", theorem],
+            Err(why) => ["No theorem for Rocq", &why.to_string()],
+        };
+        element("details", [text_in("summary", name), text_in("pre", text)]).with("class", "theorem")
+    }));
     if let Some((before, after, whole)) = &own.mended {
         let line = |name: &str, class: &'static str, typeset: &Typeset| {
             element("div", [text_in("p", name), formula(typeset)]).with("class", class)

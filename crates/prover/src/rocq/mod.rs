@@ -64,6 +64,15 @@ pub fn files(sheet: &Sheet, position: usize, decided: &[Decided]) -> Vec<Result<
     whole.into_iter().chain(goals).collect()
 }
 
+/// The theorem that a file proves, without its proof.
+pub fn theorem(file: &str) -> Option<&str> {
+    let begin = ["Theorem holds", "Theorem fails"]
+        .iter()
+        .find_map(|name| file.find(name))?;
+    let end = file[begin..].find("\nProof.")?;
+    Some(&file[begin..begin + end])
+}
+
 /// The file about a claim with operations.
 fn whole(statements: &Statements, symbols: &Symbols, decided: &[Decided]) -> Result<String, Unwritten> {
     let equation = operations::equation(statements)?;

@@ -7,6 +7,7 @@ use kernel::{
 };
 use num_traits::{One, Zero};
 use numbers::Rational;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use texmath::Name;
@@ -65,42 +66,49 @@ impl Chains {
     }
 
     /// Adds the sum that a step says a fact is.
-    fn add(&mut self, fact: usize, step: &Inference) {
-        if let Inference::Zero {
-            power: 1,
-            squares,
-            factors,
-            terms,
-            ..
-        } = step
+    fn add(&mut self, fact: usize, step: Cow<Inference>) {
+        if self.uses.get(&fact) == Some(&1)
+            && let Inference::Zero {
+                power: 1,
+                squares,
+                factors,
+                terms,
+                ..
+            } = step.into_owned()
             && squares.is_empty()
             && factors.is_empty()
-            && self.uses.get(&fact) == Some(&1)
         {
-            self.sums.insert(fact, terms.clone());
+            self.sums.insert(fact, terms);
         }
     }
 
     /// Returns the step with the sums that it uses as multiples written out.
-    fn joined(&self, step: &Inference) -> Inference {
-        let mut step = step.clone();
-        if let Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } =
-            &mut step
-        {
-            let mut all: BTreeMap<usize, Polynomial> = BTreeMap::new();
-            for (coefficient, fact) in std::mem::take(terms) {
-                let single = vec![(Polynomial::integer(1), fact)];
-                let (sum, factor) = match (self.sums.get(&fact), coefficient.as_constant()) {
-                    (Some(sum), Some(constant)) => (sum, Polynomial::constant(&constant)),
-                    _ => (&single, coefficient),
-                };
-                for (own, fact) in sum {
-                    let more = own.times(&factor);
-                    all.entry(*fact)
-                        .and_modify(|known| *known = known.plus(&more))
-                        .or_insert(more);
-                }
+    fn joined<'s>(&mut self, step: &'s Inference) -> Cow<'s, Inference> {
+        let mut step = Cow::Borrowed(step);
+        let (Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. }) = &*step
+        else {
+            return step;
+        };
+        let is_multiple = |(coefficient, fact): &(Polynomial, usize)| {
+            self.sums.contains_key(fact) && coefficient.as_constant().is_some()
+        };
+        if !terms.iter().any(is_multiple) {
+            return step;
+        }
+        let mut all: BTreeMap<usize, Polynomial> = BTreeMap::new();
+        for (coefficient, fact) in terms.clone() {
+            let (sum, factor) = match (coefficient.as_constant(), self.sums.remove(&fact)) {
+                (Some(constant), Some(sum)) => (sum, constant),
+                _ => (vec![(coefficient, fact)], Rational::one()),
+            };
+            for (own, fact) in sum {
+                let known = all.entry(fact).or_insert_with(|| Polynomial::integer(0));
+                *known = known.plus(&own.scaled(&factor));
             }
+        }
+        if let Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } =
+            step.to_mut()
+        {
             *terms = all.into_iter().map(|(fact, coefficient)| (coefficient, fact)).collect();
         }
         step
@@ -631,10 +639,10 @@ impl<'a> Steps<'a> {
     ) -> Result<(String, Grounds), Unwritten> {
         let (mut written, mut chains) = (Vec::new(), Chains::new(steps));
         for step in steps {
-            let step = chains.joined(step);
+            let joined = chains.joined(step);
             let place = self.checker.facts.len();
-            let own = self.step(&step)?;
-            chains.add(place, &step);
+            let own = self.step(step, &joined)?;
+            chains.add(place, joined);
             written.push(own);
         }
         self.on.clear();
@@ -651,11 +659,11 @@ impl<'a> Steps<'a> {
         Ok((kept.concat() + &end, on))
     }
 
-    /// Follows a step and writes it; what cannot be written is only missed where something rests on it.
-    fn step(&mut self, step: &Inference) -> Result<Written, Unwritten> {
+    /// Follows a step and writes it, as it is with its chains joined; what cannot be written is only missed where something rests on it.
+    fn step(&mut self, step: &Inference, joined: &Inference) -> Result<Written, Unwritten> {
         let (mark, place, laws) = (self.checker.mark(), self.checker.facts.len(), self.checker.laws());
         self.on.clear();
-        let text = self.followed(step);
+        let text = self.followed(step, joined);
         if text.is_err() {
             self.checker.back_to(mark);
             self.checker.apply(step)?;
@@ -671,7 +679,7 @@ impl<'a> Steps<'a> {
         })
     }
 
-    fn followed(&mut self, step: &Inference) -> Text {
+    fn followed(&mut self, step: &Inference, joined: &Inference) -> Text {
         let place = self.checker.facts.len();
         if let Inference::Derivative(source) = step {
             return self.derivative(step, *source);
@@ -687,7 +695,7 @@ impl<'a> Steps<'a> {
         let claimed = self.polynomial(&fact.polynomial)?;
         let proof = match before {
             Some(proof) => proof,
-            None => self.proof(step, &claimed)?,
+            None => self.proof(joined, &claimed)?,
         };
         self.checker.facts.extend(held);
         // what ends in cases has ended
