@@ -414,6 +414,25 @@ Ltac meet X :=
   | ?P -> _ => let H := fresh "M" in assert (H : P); [at_point | specialize (X H); clear H]
   end.
 
+(* A letter for a value. *)
+Lemma has_name {A : Type} (v : A) : exists x : A, x = v.
+Proof. exists v. reflexivity. Qed.
+
+(* A limit and an improper integral have one value. *)
+Lemma one_integral (Fa Fb : (R -> Prop) -> Prop) (HFa : ProperFilter' Fa) (HFb : ProperFilter' Fb) (f : R -> R) (v w : R) :
+  is_RInt_gen f Fa Fb v -> is_RInt_gen f Fa Fb w -> w = v.
+Proof.
+  intros X Y. rewrite <- (@is_RInt_gen_unique R_CompleteNormedModule Fa Fb HFa HFb f v X).
+  symmetry. exact (@is_RInt_gen_unique R_CompleteNormedModule Fa Fb HFa HFb f w Y).
+Qed.
+
+Lemma one_limit (f : R -> R) (x v w : R) : is_lim f x v -> is_lim f x w -> w = v.
+Proof. intros X Y. apply is_lim_unique in X. apply is_lim_unique in Y. rewrite X in Y. injection Y. auto. Qed.
+
+Ltac one_value X Y :=
+  let Z := fresh in
+  first [assert (Z := one_limit _ _ _ _ X Y) | assert (Z := one_integral _ _ _ _ _ _ _ X Y)]; clear X Y; rename Z into X.
+
 (* A closed claim fails. *)
 Ltac fails X :=
   by_definition_in X;

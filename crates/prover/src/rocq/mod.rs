@@ -52,7 +52,9 @@ pub fn files(sheet: &Sheet, position: usize, decided: &[Decided]) -> Vec<Result<
     let has_operations = |statements: &Statements| statements.claims.iter().any(operations::has_operations);
     let is_reduced = decided.iter().any(|one| !one.goal.statements.rules.is_empty());
     let whole = match statements.filter(has_operations) {
-        Some(statements) if decided.iter().all(is_proved) => Some(whole(&statements, &sheet.symbols, decided)),
+        Some(statements) if decided.iter().all(is_proved) || !decided.iter().any(is_proved) => {
+            Some(whole(&statements, &sheet.symbols, decided))
+        }
         None if !is_reduced => None,
         _ => Some(Err(Unwritten::Not(
             "the printed formula: files say the goals that it is reduced to",
@@ -131,7 +133,11 @@ fn written(decided: &Decided, printed: Option<Printed>) -> Result<String, Unwrit
             }
             let mut own = witness.statement.clone();
             let mut steps = Steps::new(&mut own, &Certificate::default());
-            Theorem::of(decided, None, &mut steps)?.refuted(&mut steps, witness)?
+            let theorem = Theorem::of(decided, printed, &mut steps)?;
+            match printed {
+                None => theorem.refuted(&mut steps, witness)?,
+                Some(_) => theorem.refuted_as_printed(decided, &mut steps, witness)?,
+            }
         }
     };
     let mut text = head(decided);
@@ -174,6 +180,8 @@ struct Theorem {
     values: Option<String>,
     /// The proof of a claim that needs no goal.
     proof: Option<String>,
+    /// A claim that has one value, without the value.
+    subject: Option<String>,
     /// The tactic that leads from the goal to the claim.
     conclude: &'static str,
     /// True if the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
@@ -191,6 +199,7 @@ impl Theorem {
             maps: Vec::new(),
             values: None,
             proof: None,
+            subject: None,
             conclude: if whole.is_some() { "conclude_claim" } else { "conclude" },
             is_whole: whole.is_some(),
         };
@@ -235,7 +244,7 @@ impl Theorem {
                 own.claim_comment = comment(&printed.equation.to_string());
                 match printed.valued(decided, steps)? {
                     Some(valued) => {
-                        own.proof = valued.proof;
+                        (own.proof, own.subject) = (valued.proof, valued.subject);
                         own.conclude = "conclude_derivative";
                         valued.claim
                     }
@@ -625,6 +634,51 @@ impl Theorem {
         }
         text += "fails X.\nQed.\n\nPrint Assumptions fails.\n";
         Ok(text)
+    }
+}
+
+impl Theorem {
+    /// The theorem that a claim with operations fails, whose values at the point of a counterexample are others.
+    fn refuted_as_printed(
+        mut self,
+        decided: &Decided,
+        steps: &mut Steps,
+        witness: &With<Witness>,
+    ) -> Result<String, Unwritten> {
+        // the other value of a limit or an improper integral, and the proof that it is one
+        let other = match (&self.subject, &self.proof) {
+            (Some(subject), Some(proof)) => {
+                let value = Printer::of_operations(decided).tree(&decided.question.equation.left, None, steps)?;
+                Some(format!(
+                    "assert (Y : {subject} {value}).\n{{ {} }}\none_value X Y.\n",
+                    proof.trim_end()
+                ))
+            }
+            (None, None) => None,
+            _ => return Err(Unwritten::Not("an antiderivative that is refuted")),
+        };
+        let tactics = self.values.take().unwrap_or_default();
+        self.of_names_in(&[&tactics, other.as_deref().unwrap_or_default()], steps);
+        let mut text = format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W9.\n", self.stated(steps));
+        let values = values(steps, witness)?;
+        for (name, value) in self.variables(steps).iter().zip(values) {
+            let _ = writeln!(text, "destruct (has_name {value}) as [{name} E_{name}].");
+        }
+        let mut all = self.variables(steps);
+        for hypothesis in &self.hypotheses {
+            let Hypothesis { name, says, .. } = hypothesis;
+            let _ = writeln!(
+                text,
+                "assert ({name} : {says}) by (clear W9; subst; cbv beta; at_point)."
+            );
+            all.push(name.clone());
+        }
+        let _ = writeln!(text, "assert (X := W9 {}).\nclear W9.", all.join(" "));
+        text += &match other {
+            Some(other) => other,
+            None => format!("revert X.\n{tactics}intro X.\n"),
+        };
+        Ok(text + "subst; cbv beta in X. fails X.\nQed.\n\nPrint Assumptions fails.\n")
     }
 }
 

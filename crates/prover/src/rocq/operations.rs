@@ -4,7 +4,7 @@ use super::comment;
 use super::printed::{Printer, condition_text};
 use super::steps::Steps;
 use super::text::{Unwritten, number, property};
-use crate::script::{Decided, Found};
+use crate::script::Decided;
 use crate::{integration, summation};
 use claims::Statements;
 use kernel::{Certificate, Node, Origin, Property, Symbol};
@@ -48,7 +48,7 @@ pub fn equation(statements: &Statements) -> Result<&Equation, Unwritten> {
     }
 }
 
-/// The question that the claim itself comes to, where that is one and proved; that parts of it have values are others.
+/// The question that the claim itself comes to, where that is one; that parts of it have values are others.
 ///
 /// # Errors
 /// Why there is none.
@@ -56,14 +56,10 @@ pub fn main_goal(decided: &[Decided]) -> Result<&Decided, Unwritten> {
     let own: Vec<&Decided> = decided.iter().filter(|one| one.goal.part.is_empty()).collect();
     let says_more = |one: &&&Decided| one.question.equation.left != one.question.equation.right;
     let more: Vec<&Decided> = own.iter().filter(says_more).copied().collect();
-    let goal = match (more.as_slice(), own.as_slice()) {
-        ([one], _) | ([], [one, ..]) => *one,
-        ([], []) => return Err(Unwritten::Not("an operation in a claim by cases")),
-        _ => return Err(Unwritten::Not("an operation in a claim of several questions")),
-    };
-    match goal.found {
-        Found::Proved { .. } => Ok(goal),
-        Found::Refuted { .. } => Err(Unwritten::Not("an operation in a claim that is refuted")),
+    match (more.as_slice(), own.as_slice()) {
+        ([one], _) | ([], [one, ..]) => Ok(*one),
+        ([], []) => Err(Unwritten::Not("an operation in a claim by cases")),
+        _ => Err(Unwritten::Not("an operation in a claim of several questions")),
     }
 }
 
@@ -293,6 +289,8 @@ fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
 /// A claim that an operation has a value which is no number by itself in Rocq, with its proof.
 pub struct Valued {
     pub claim: String,
+    /// The claim without its value, where there is no other value than one.
+    pub subject: Option<String>,
     /// The proof, where it needs no goal.
     pub proof: Option<String>,
 }
@@ -341,6 +339,7 @@ impl Printed<'_> {
                 }
                 Ok(Some(Valued {
                     claim: format!("is_lim {function} {at} {value}"),
+                    subject: Some(format!("is_lim {function} {at}")),
                     proof: Some(format!(
                         "first [{}].\n",
                         ways.iter()
@@ -376,6 +375,7 @@ impl Printed<'_> {
                         true => claim,
                         false => format!("forall {} : R, {claim}", names.join(" ")),
                     },
+                    subject: None,
                     proof: None,
                 }))
             }
@@ -414,8 +414,10 @@ impl Printed<'_> {
                 if ways.is_empty() {
                     return Err(Unwritten::Not("an integral without an antiderivative"));
                 }
+                let subject = format!("is_RInt_gen {function} {low} {high}");
                 Ok(Some(Valued {
-                    claim: format!("is_RInt_gen {function} {low} {high} {value}"),
+                    claim: format!("{subject} {value}"),
+                    subject: Some(subject),
                     proof: Some(format!("first\n[ {} ].\n", ways.join("\n| "))),
                 }))
             }
