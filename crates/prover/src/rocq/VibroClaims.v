@@ -277,6 +277,14 @@ Proof. intros x P Q. apply filter_and. Qed.
 Lemma near_by : forall (x : R) (P Q : R -> Prop), locally x P -> (forall t, P t -> Q t) -> locally x Q.
 Proof. intros x P Q H I. revert H. apply filter_imp. exact I. Qed.
 
+(* The derivative that is claimed is the one that there is. *)
+Ltac one_derivative X :=
+  cbv beta in X;
+  lazymatch type of X with
+  | is_derive ?F ?x _ =>
+    let Q := fresh in apply is_derive_unique in X; value_of_derivative Q F x; rewrite Q in X; clear Q
+  end.
+
 Ltac near_one x H N :=
   pattern x in H;
   lazymatch type of H with

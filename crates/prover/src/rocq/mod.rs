@@ -10,7 +10,7 @@ use super::Decision;
 use super::script::{Decided, Found};
 use claims::{Sheet, Statements};
 use kernel::{Certificate, Function, Given, Origin, Property, Quantity, Statement, Symbol, Term, With, Witness};
-use operations::{Induction, Printed};
+use operations::{Induction, Kind, Printed};
 use printed::Printer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -180,8 +180,8 @@ struct Theorem {
     values: Option<String>,
     /// The proof of a claim that needs no goal.
     proof: Option<String>,
-    /// A claim that has one value, without the value.
-    subject: Option<String>,
+    /// The kind of a claim that an operation has a value.
+    kind: Option<Kind>,
     /// The tactic that leads from the goal to the claim.
     conclude: &'static str,
     /// True if the claim is one with operations as it is printed, which nothing is assumed of that holds of numbers alone.
@@ -199,7 +199,7 @@ impl Theorem {
             maps: Vec::new(),
             values: None,
             proof: None,
-            subject: None,
+            kind: None,
             conclude: if whole.is_some() { "conclude_claim" } else { "conclude" },
             is_whole: whole.is_some(),
         };
@@ -244,7 +244,7 @@ impl Theorem {
                 own.claim_comment = comment(&printed.equation.to_string());
                 match printed.valued(decided, steps)? {
                     Some(valued) => {
-                        (own.proof, own.subject) = (valued.proof, valued.subject);
+                        (own.proof, own.kind) = (valued.proof, Some(valued.kind));
                         own.conclude = "conclude_derivative";
                         valued.claim
                     }
@@ -645,17 +645,20 @@ impl Theorem {
         steps: &mut Steps,
         witness: &With<Witness>,
     ) -> Result<String, Unwritten> {
-        // the other value of a limit or an improper integral, and the proof that it is one
-        let other = match (&self.subject, &self.proof) {
-            (Some(subject), Some(proof)) => {
+        // what makes an equation of two values of the claim, or of the claim and what is 0
+        let other = match (&self.kind, &self.proof) {
+            (Some(Kind::OneValue(subject)), Some(proof)) => {
                 let value = Printer::of_operations(decided).tree(&decided.question.equation.left, None, steps)?;
+                let proof = proof.trim_end();
                 Some(format!(
-                    "assert (Y : {subject} {value}).\n{{ {} }}\none_value X Y.\n",
-                    proof.trim_end()
+                    "assert (Y : {subject} {value}).\n{{ {proof} }}\none_value X Y.\n"
                 ))
             }
-            (None, None) => None,
-            _ => return Err(Unwritten::Not("an antiderivative that is refuted")),
+            (Some(Kind::Antiderivative(constants)), _) => {
+                let zeros = " 0".repeat(*constants);
+                Some(format!("specialize (X{zeros}). one_derivative X.\n"))
+            }
+            _ => None,
         };
         let tactics = self.values.take().unwrap_or_default();
         self.of_names_in(&[&tactics, other.as_deref().unwrap_or_default()], steps);

@@ -104,6 +104,15 @@ impl<'a> Induction<'a> {
             hypotheses.push((printer.condition(condition, steps)?, condition_text(condition)));
         }
         self.add_givens(&name, &mut hypotheses, steps)?;
+        let mut below = Vec::new();
+        divisors(&equation.left, &mut below);
+        divisors(&equation.right, &mut below);
+        for own in below.into_iter().filter(|own| !own.has_free(&letter)) {
+            let says = format!("{} <> 0", printer.tree(own, None, steps)?);
+            if texmath::number_of(own).is_none() && hypotheses.iter().all(|(known, _)| *known != says) {
+                hypotheses.push((says, Origin::ClaimDomain.to_string()));
+            }
+        }
         let first = number(&Rational::from_integer(self.first)).replace("(- ", "(-");
         let says = |says: &str| hypotheses.iter().any(|(own, _)| own == says);
         let is_bound = assume.iter().any(|condition| match condition {
@@ -286,11 +295,18 @@ fn linear_value(tree: &Tree, letter: &Name, at: i64) -> Option<i64> {
     }
 }
 
+/// The kinds of such claims.
+pub enum Kind {
+    /// A limit or an improper integral: the claim without its value, of which there is one.
+    OneValue(String),
+    /// An antiderivative, for all values of so many constants.
+    Antiderivative(usize),
+}
+
 /// A claim that an operation has a value which is no number by itself in Rocq, with its proof.
 pub struct Valued {
     pub claim: String,
-    /// The claim without its value, where there is no other value than one.
-    pub subject: Option<String>,
+    pub kind: Kind,
     /// The proof, where it needs no goal.
     pub proof: Option<String>,
 }
@@ -339,7 +355,7 @@ impl Printed<'_> {
                 }
                 Ok(Some(Valued {
                     claim: format!("is_lim {function} {at} {value}"),
-                    subject: Some(format!("is_lim {function} {at}")),
+                    kind: Kind::OneValue(format!("is_lim {function} {at}")),
                     proof: Some(format!(
                         "first [{}].\n",
                         ways.iter()
@@ -375,7 +391,7 @@ impl Printed<'_> {
                         true => claim,
                         false => format!("forall {} : R, {claim}", names.join(" ")),
                     },
-                    subject: None,
+                    kind: Kind::Antiderivative(names.len()),
                     proof: None,
                 }))
             }
@@ -417,7 +433,7 @@ impl Printed<'_> {
                 let subject = format!("is_RInt_gen {function} {low} {high}");
                 Ok(Some(Valued {
                     claim: format!("{subject} {value}"),
-                    subject: Some(subject),
+                    kind: Kind::OneValue(subject),
                     proof: Some(format!("first\n[ {} ].\n", ways.join("\n| "))),
                 }))
             }
@@ -706,6 +722,20 @@ fn without_bars(node: &Tree, is_negative: bool) -> Option<Tree> {
 
 fn has_operation(tree: &Tree) -> bool {
     texmath::any(tree, &mut |node| matches!(node, Tree::Operation(..)))
+}
+
+/// What is divided by outside of operations.
+fn divisors<'t>(tree: &'t Tree, found: &mut Vec<&'t Tree>) {
+    match tree {
+        Tree::Operation(..) => return,
+        Tree::Quotient(_, below, _) => found.push(below),
+        Tree::Power(base, exponent, _) if *exponent < 0 => found.push(base),
+        _ => {}
+    }
+    tree.find_below(&mut |node| -> Option<()> {
+        divisors(node, found);
+        None
+    });
 }
 
 /// The operations that stand in no other one.
