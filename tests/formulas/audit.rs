@@ -282,6 +282,29 @@ fn sheets_of_another_field_are_audited_in_their_own_words() {
 }
 
 #[test]
+fn each_misprint_of_a_public_work_is_refuted_and_its_right_form_is_proved() {
+    let found = std::fs::read_dir("examples/found").unwrap();
+    let mut sheets: Vec<String> = found.map(|entry| entry.unwrap().path().display().to_string()).collect();
+    sheets.sort();
+    assert!(sheets.len() >= 20, "{sheets:?}");
+    for sheet in &sheets {
+        let ran = run(&["audit", sheet, "--format", "csv"]);
+        assert_eq!(ran.status, Some(0), "{sheet}\n{}", ran.stdout);
+        let rows = rows(&ran);
+        assert!(rows.iter().all(|row| row.1 == row.2), "{sheet}: {rows:?}");
+        for verdict in ["refuted", "proved"] {
+            assert!(
+                rows.iter().any(|row| row.1 == verdict),
+                "{sheet} has no row that is {verdict}"
+            );
+        }
+        let page = include_str!("../../doc/found.md");
+        let name = sheet.rsplit(['/', '\\']).next().unwrap();
+        assert!(page.contains(name), "doc/found.md does not name {name}");
+    }
+}
+
+#[test]
 fn a_sheet_that_cannot_be_used_says_where_and_exits_with_two() {
     let nowhere = claim("a", r"d = d").replace("'9'", "'99'");
     let twice = format!("{}{}", claim("a", "d = d"), claim("a", "d = d"));
