@@ -201,9 +201,14 @@ impl<'a> Values<'a> {
     }
 
     /// The value of a term as TeX.
+    /// The value of a term as TeX; its first figures and `...` where the exact value takes too many characters to be read.
     fn shown(&mut self, term: Term) -> String {
         let value = self.of(term);
-        tex(self.statement().terms(), value)
+        let exact = tex(self.statement().terms(), value);
+        match exact.len() > LONGEST_VALUE {
+            true => self.decimal(value).map_or(exact, |figures| format!("{figures}...")),
+            false => exact,
+        }
     }
 
     /// The terms that a side, or what it abbreviates, is the sum of, each with its value.
@@ -233,6 +238,9 @@ impl<'a> Values<'a> {
         (low == high).then_some(low)
     }
 }
+
+/// The most characters of an exact value.
+const LONGEST_VALUE: usize = 1000;
 
 /// Figures of a value that are printed beside it.
 const FIGURES: usize = 12;
@@ -278,10 +286,8 @@ fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
         let term = values.statement().terms_mut().symbol(symbol);
         let found = values.of(term);
         if values.statement().terms().is_closed(found) {
-            point.push((
-                values.statement().terms().symbol_name(symbol).to_string(),
-                tex(values.statement().terms(), found),
-            ));
+            let name = values.statement().terms().symbol_name(symbol).to_string();
+            point.push((name, values.shown(term)));
         }
     }
     let valued = values.spoken();
@@ -305,8 +311,7 @@ fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
         }
         let named = values.statement().value(*function, *order, *time);
         let name = tex(values.statement().terms(), named);
-        let found = values.of(named);
-        point.push((name, tex(values.statement().terms(), found)));
+        point.push((name, values.shown(named)));
     }
     let valued: BTreeSet<Function> = valued.into_iter().map(|(of, ..)| of).collect();
     let is_spoken = |function: Function, statement: &Statement| !family(statement, function).is_disjoint(&valued);
@@ -316,8 +321,7 @@ fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
         }
         let terms = values.statement().terms();
         let name = format!("{}({})", terms.function_name(*function), terms.symbol_name(*time));
-        let found = values.of(*term);
-        point.push((name, tex(values.statement().terms(), found)));
+        point.push((name, values.shown(*term)));
     }
     point
 }
@@ -343,8 +347,8 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
         let decimals = (values.decimal(first), values.decimal(second));
         return Some(Counterexample {
             point,
-            left: tex(values.statement().terms(), left),
-            right: tex(values.statement().terms(), right),
+            left: values.shown(left),
+            right: values.shown(right),
             decimals,
             terms,
         });
