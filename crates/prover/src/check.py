@@ -144,14 +144,16 @@ class Statement:
         self.dots = {name: chain for chain in data["dots"] for name in chain[:1]}
         self.definitions = {symbol: self.terms[of] for symbol, of in data["definitions"]}
         self.derivatives = dict(data["derivatives"])
+        require(max(self.definitions, default=-1) < len(self.symbols), "an abbreviation that is no symbol")
         law = lambda own: (*own[:3], conditions(own[3])) if own else None
         self.givens = [(label, holds, self.terms[of], law(own)) for label, holds, of, own in data["givens"]]
         self.goals = conditions(data["goals"])
     def read(self, kind, *of):
-        """Takes over a term, numbered on."""
         require(kind != "root" or of[0] >= 2, "a root of an index below 2")
         own = [self.terms[number] for number in of[0]] if kind in ("sum", "product") else list(of)
         require(kind not in ("integral", "bound"), "an integral of numbers" + ELSEWHERE)
+        table = {"symbol": self.symbols, "value": self.functions}.get(kind)
+        require(table is None or of[0] < len(table), "no such symbol or function")
         places = {"power": "0", "quotient": "01", "realpower": "01", "root": "1", "value": "2"}
         for place in map(int, places.get(kind, "0" if kind in FUNCTIONS else "")):
             own[place] = self.terms[own[place]]
@@ -159,7 +161,6 @@ class Statement:
         require(Term(kind, *own).number == len(self.terms), "terms out of order")
         self.terms.append(Term(kind, *own))
     def symbol(self, *meaning):
-        """The number of a symbol of this meaning."""
         if meaning not in self.symbols:
             self.symbols.append(meaning)
             if meaning[0] == "time":
@@ -640,8 +641,8 @@ class Point:
             held = value.symbols & (self.s.definitions.keys() | self.solved.keys())
             require(symbol not in self.s.definitions and not held, "a value of, or with, what has another value")
             is_real = symbol not in self.s.complex_symbols and Term("i") not in inside(value)
-            if symbol in self.sample:
-                is_real &= acb(self.s.evaluate(value, {})).imag.is_zero()
+            if symbol in self.sample or self.s.complex:
+                is_real &= acb(self.s.evaluate(put_in(value, self.sample), {})).imag.is_zero()
             require(is_real or symbol in self.s.complex_symbols, "a real symbol has a complex value")
 
     # functions

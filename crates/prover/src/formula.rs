@@ -35,8 +35,6 @@ pub struct Within<'a> {
     /// The impact whose flight the running time is in, and whether the formula speaks of a flight.
     flight: i32,
     in_flight: bool,
-    /// Whether `\pm` is plus.
-    pub upper: bool,
 }
 
 impl<'a> Formulas<'a> {
@@ -74,7 +72,6 @@ impl<'a> Formulas<'a> {
             locals,
             flight: self.symbols.impacts(equation).first().copied().or(first).unwrap_or(0),
             in_flight: flies(equation, self.symbols),
-            upper: true,
         }
     }
 }
