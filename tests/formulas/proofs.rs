@@ -16,7 +16,9 @@ use vibro_audit::prove::{
 /// The Python that has a package: that of $VIBRO_PYTHON, or the first in the path; none, and a word, without it.
 fn python(package: &str) -> Option<String> {
     let python = std::env::var("VIBRO_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let has = Command::new(&python).args(["-c", &format!("import {package}")]).output();
+    let has = Command::new(&python)
+        .args(["-c", &format!("import {package}")])
+        .output();
     if !has.is_ok_and(|output| output.status.success()) {
         eprintln!("skipped: {python} has no {package} here");
         return None;
@@ -339,7 +341,11 @@ fn a_file_that_is_cut_is_refused() {
         .collect();
     let (_, said) = checked(&python, &scratch("cut"), &files);
     assert_eq!(said.len(), files.len());
-    assert!(said.iter().all(|line| line.contains(": refused: ")), "{}", said.join("\n"));
+    assert!(
+        said.iter().all(|line| line.contains(": refused: ")),
+        "{}",
+        said.join("\n")
+    );
 }
 
 #[test]
@@ -396,10 +402,7 @@ fn proof_data_that_is_cut_hostile_or_of_another_version_is_refused_with_its_plac
             "step 1 (given)",
         ),
         // a point at which 0 is taken not to be 0
-        (
-            include_str!("kernel/forged-proof.json").to_owned(),
-            "step 1 (generic)",
-        ),
+        (include_str!("kernel/forged-proof.json").to_owned(), "step 1 (generic)"),
         (
             include_str!("kernel/forged-refutation.json").to_owned(),
             "step 1 (generic)",
