@@ -638,9 +638,9 @@ class Point:
     def check_values(self):
         for symbol, value in self.values.items():
             require(self.s.symbols[symbol][0] != "partial", "a derivative along a map" + ELSEWHERE)
-            held = value.symbols & (self.s.definitions.keys() | self.solved.keys())
+            held = value.symbols if symbol in self.sample else value.symbols & {*self.s.definitions, *self.solved}
             require(symbol not in self.s.definitions and not held, "a value of, or with, what has another value")
-            is_real = symbol not in self.s.complex_symbols and Term("i") not in inside(value)
+            is_real = Term("i") not in inside(value)
             if symbol in self.sample or self.s.complex:
                 is_real &= acb(self.s.evaluate(put_in(value, self.sample), {})).imag.is_zero()
             require(is_real or symbol in self.s.complex_symbols, "a real symbol has a complex value")
@@ -649,6 +649,8 @@ class Point:
     def check_functions(self):
         """Functions are smooth, and each is the derivative that it is declared to be."""
         s, tabled, implied = self.s, {function for function, _, _ in self.table}, dict(self.named)
+        values = inside(*self.table.values(), *(term for _, term in self.named.values()))
+        require(Term("i") not in values, "a real function has a complex value")
         for function in tabled | self.named.keys():
             time, slope = self.named.get(function, (None, as_term(0)))
             is_own = time is None or (s.symbols[time][0] == "fresh" and time not in self.values)
@@ -669,8 +671,7 @@ class Point:
                 self.vanish(slope - known, "a function is not the derivative that it is declared to be")
             require(of not in s.derivatives, "a function that is a derivative of its own" + ELSEWHERE)
     def chain(self, function):
-        """All functions that are derivatives of one another."""
-        chain = {function}
+        chain = {function}  # all functions that are derivatives of one another
         for _ in self.s.derivatives:
             chain |= {own for pair in self.s.derivatives.items() if chain & set(pair) for own in pair}
         return chain
@@ -767,8 +768,7 @@ class Point:
             require(shift == 0 or every, "(%s) does not extend to all flights" % label)
             moved = s.moved(s.written_out(term), time[0], Term("symbol", running), shift)
             self.vanish(self.translate(moved, running), "(%s) does not hold at all times" % label)
-    def fails(self):
-        # a solution that is not defined is none
+    def fails(self):  # a solution that is not defined is none
         return not all(self.holds(*own) for holds, of in self.s.goals for own in (*self.s.domain(of), (holds, of)))
 
 # --- letters that need not commute -----------------------------------------------------------------------------------
