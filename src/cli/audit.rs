@@ -36,9 +36,8 @@ pub struct Arguments {
     /// Write a copy of the input to FILE, with each first repair as a comment before its formula
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     repair_into: Option<std::path::PathBuf>,
-    /// Write each proof and counterexample into the new directory DIR, as a Python script that checks itself; with
-    /// `--format json` as data with a checker and a schema, with `--format sympy` as a script of at most 40 lines to be read,
-    /// with `--format rocq` as a theorem for Rocq
+    /// Write each proof and counterexample into the new directory DIR, as data with a checker and a schema; with
+    /// `--format sympy` as a script of at most 40 lines to be read, with `--format rocq` as a theorem for Rocq
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
     proof: Option<std::path::PathBuf>,
     /// Do not fail on findings of an earlier run, written by `audit` as sarif, json or csv

@@ -13,8 +13,6 @@ use std::path::Path;
 /// The form of proofs that are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProofForm {
-    /// Python scripts that check themselves.
-    Python,
     /// Data with a checker and a schema.
     Json,
     /// Short scripts for people.
@@ -41,19 +39,17 @@ impl ProofForm {
             ))),
             Format::Sympy => Ok(Self::Sympy),
             Format::Rocq => Ok(Self::Rocq),
-            Format::Json => Ok(Self::Json),
-            _ => Ok(Self::Python),
+            _ => Ok(Self::Json),
         }
     }
 
     /// The ending of the files, what they are, and how they are used.
     fn described(self) -> [&'static str; 3] {
         match self {
-            Self::Python => ["py", "scripts", "run each with Python, with SymPy and mpmath"],
             Self::Json => [
                 "json",
                 "files of proof data",
-                "python3 check.py *.json there checks them, with SymPy and mpmath",
+                "python3 check.py *.json there checks them, with python-flint",
             ],
             Self::Sympy => ["py", "short scripts", "read each, and run it with Python and SymPy"],
             Self::Rocq => [
@@ -71,7 +67,6 @@ impl ProofForm {
             missing: Vec::new(),
         };
         match self {
-            Self::Python => whole(prove::scripts(sheet, position, options)),
             Self::Json => whole(prove::proof_data(sheet, position, options)),
             Self::Sympy => match prove::short_scripts(sheet, position, options) {
                 Ok(files) => whole(files),

@@ -2759,12 +2759,12 @@ fn least_squares_and_a_filter_are_proved_row_by_row() {
     assert_eq!(of(Verdict::Given), ["1", "2", "4", "9", "10"]);
     assert_eq!(of(Verdict::Proved), ["3", "5", "6", "7.1", "7.2", "8", "11", "12"]);
     assert_eq!(of(Verdict::Undecided), ["13", "14"]);
-    // each has a script, which .ci/proofs runs
+    // each has proof data, which .ci/proofs checks
     for label in of(Verdict::Proved) {
         let position = sheet.find(label).unwrap();
-        let scripts = prove::scripts(&sheet, position, &Options::default());
-        assert_eq!(scripts.len(), 1, "{label}");
-        assert!(scripts[0].contains("DATA = {\"words\""), "{label}");
+        let data = prove::proof_data(&sheet, position, &Options::default());
+        assert_eq!(data.len(), 1, "{label}");
+        assert!(data[0].contains("\"words\": {"), "{label}");
     }
 }
 

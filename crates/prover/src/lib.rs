@@ -61,7 +61,7 @@ pub use decision::{Decision, mention_refuted, settle_second_values};
 pub use explanation::{Explanation, explain, formula};
 pub use referee::short_scripts;
 pub use referee_lines::{LONGEST, NoScript};
-pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data, scripts, sealed};
+pub use script::{CHECKER, Decided, Found, SCHEMA, file_names, proof_data};
 
 use claims::{
     Conditional, Fault, Goal, Matched, Proposal, Proposals, Provided, Reduced, Rule, Rules, SeriesTest, Sheet,

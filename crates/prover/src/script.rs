@@ -1,15 +1,7 @@
-//! Proofs and counterexamples as Python scripts that check themselves, with SymPy and mpmath and nothing of this crate.
-//!
-//! A script is what is printed, as comments; the statement, the steps and the point, as data; the printed formulas once
-//! more, by another printer, to be compared with the statement at random points; and the checker, `check.py`.
-//!
-//! A script that is cut anywhere does not accept. Its first line makes the end of the program fail; its last line takes
-//! that back once all is checked, and holds the checksum of all lines before it. Each beginning of the first line itself
-//! is an error in Python.
+//! Proofs and counterexamples as data, in JSON, for checkers that share nothing with this crate. `check.py` is one.
 
-use super::formula::{Formulas, list, quoted};
+use super::formula::{list, quoted};
 use super::{Options, Outcome, decided, proof_in_words};
-use crate::checksum::Checksum;
 use claims::{Goal, Question, Sheet, Verdict};
 use kernel::{
     AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Letter, Node, Origin, Polynomial,
@@ -21,12 +13,12 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 use texmath::Name;
 
-/// The checker, as each script contains it, with the table of axioms.
-static CORE: LazyLock<String> = LazyLock::new(|| include_str!("check.py").replace("@AXIOMS@", AXIOMS));
-
-/// The checker of proof data, a program that is given files: it needs Python with SymPy and mpmath, and nothing of this crate.
-pub static CHECKER: LazyLock<String> =
-    LazyLock::new(|| CORE.clone() + &include_str!("check_files.py").replace("@SCHEMA@", SCHEMA));
+/// The checker of proof data, a program that is given files: it needs Python with python-flint, and nothing of this crate.
+pub static CHECKER: LazyLock<String> = LazyLock::new(|| {
+    include_str!("check.py")
+        .replace("@AXIOMS@", AXIOMS)
+        .replace("@SCHEMA@", SCHEMA)
+});
 
 /// The form of proof data, as a JSON Schema (draft 2020-12).
 pub const SCHEMA: &str = include_str!("proof.schema.json");
@@ -75,44 +67,6 @@ pub struct Decided {
     pub(super) goal: Goal,
     /// True for one of the questions that show a claim to be `conditional`.
     pub(super) of_exception: bool,
-}
-
-/// The scripts of the claim at a position, one for each question that is decided.
-pub fn scripts(sheet: &Sheet, position: usize, options: &Options) -> Vec<String> {
-    let decided = decided(sheet, position, options);
-    let scripts: Vec<String> = decided.iter().map(Decided::script).collect();
-    match scripts.is_empty() {
-        true => script_of_words(sheet, position, options).into_iter().collect(),
-        false => scripts,
-    }
-}
-
-/// The first lines of a script about a claim.
-fn head(label: &str, printed: &str, verdict: &str) -> Vec<String> {
-    vec![
-        GUARD.to_string(),
-        format!("# Equation ({}), {verdict} by vibro-audit.", one_line(label)),
-        "# This script checks it again, with SymPy and mpmath (pip install sympy mpmath) and nothing else:".into(),
-        "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
-        "#".into(),
-        format!("# claim:  {}", one_line(printed)),
-    ]
-}
-
-/// The script of a claim that is proved of letters that need not commute.
-fn script_of_words(sheet: &Sheet, position: usize, options: &Options) -> Option<String> {
-    let (question, proof) = proof_in_words(sheet, position, options)?;
-    let entry = sheet.entries.get(position)?;
-    let mut lines = head(&entry.label, &entry.tex.tex, "proved");
-    lines.push("# of letters that need not commute, as matrices: products keep their order. What is given are the formulas that it".into());
-    lines.push("# follows from, and that each inverse is one; that these say the formulas is trusted.".into());
-    let data = words_data(&question, &proof);
-    Some(sealed(&format!(
-        "{}\n\nDATA = {{{}}}\n\nREADINGS = None\n\n{}",
-        lines.join("\n"),
-        field("words", data),
-        *CORE
-    )))
 }
 
 /// The claims and givens about letters that need not commute, with their proof, as JSON.
@@ -201,7 +155,7 @@ fn head_fields(label: &str, claim: &str) -> Vec<String> {
 const LONGEST_NAME: usize = 200;
 
 /// Returns a file name without its ending for each claim at these positions, from its label. No two are the same, in upper
-/// or lower case, and none has a `-` and a number at its end, which tells several scripts of one claim apart.
+/// or lower case, and none has a `-` and a number at its end, which tells several files of one claim apart.
 pub fn file_names(sheet: &Sheet, positions: &[usize]) -> Vec<String> {
     let mut taken = BTreeSet::from(["schema".to_owned()]);
     let named = positions.iter().enumerate().map(|(number, &position)| {
@@ -221,52 +175,6 @@ pub fn file_names(sheet: &Sheet, positions: &[usize]) -> Vec<String> {
 }
 
 impl Decided {
-    /// The script that checks this.
-    pub fn script(&self) -> String {
-        let formulas = Formulas::new(&self.goal.statements, &self.goal.symbols, &self.question);
-        let verdict = match self.found {
-            Found::Proved { .. } => "proved",
-            Found::Refuted { .. } => "refuted",
-        };
-        let mut lines = head(&self.label, &self.printed, verdict);
-        let rules = &self.goal.statements.rules;
-        if !rules.is_empty() {
-            let rules: Vec<String> = rules.iter().map(ToString::to_string).collect();
-            lines.push(format!("# reduced by:  {}", rules.join("; ")));
-            lines.push(
-                "# These rules are trusted: what is checked here is the goal below, not that it says the claim.".into(),
-            );
-        }
-        if !self.goal.part.is_empty() {
-            lines.push(format!("# part:  {}", one_line(&self.goal.part)));
-        }
-        for premise in &self.goal.statements.premises {
-            let label = one_line(&premise.label);
-            lines.push(format!(
-                "# given ({label}):  {}",
-                one_line(&premise.equation.to_string())
-            ));
-            for local in &premise.locals {
-                let tree = one_line(&local.tree.to_string());
-                lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));
-            }
-        }
-        lines.push(format!("# goal:  {}", one_line(&self.question.equation.to_string())));
-        for local in &self.goal.statements.locals {
-            let tree = one_line(&local.tree.to_string());
-            lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));
-        }
-        if !self.question.instance.is_empty() {
-            lines.push(format!("#     ({})", one_line(&self.question.instance)));
-        }
-        let (data, readings) = (self.data(true), formulas.python());
-        sealed(&format!(
-            "{}\n\nDATA = {data}\n\n{readings}\n\n{}",
-            lines.join("\n"),
-            *CORE
-        ))
-    }
-
     /// The goal in TeX, and how the claim was reduced to it.
     fn goal_fields(&self) -> Vec<String> {
         let rules = self.goal.statements.rules.iter();
@@ -284,15 +192,6 @@ impl Decided {
             field("reductions", list(rules.map(|rule| quoted(&rule.to_string())))),
             field("premises", list(premises)),
         ]
-    }
-
-    /// The statement with what decides it: JSON, and Python too. On one line or, for readers, on many.
-    pub fn data(&self, lines: bool) -> String {
-        let fields = self.fields();
-        match lines {
-            true => format!("{{\n    {},\n}}", fields.join(",\n    ")),
-            false => format!("{{{}}}", fields.join(", ")),
-        }
     }
 
     fn fields(&self) -> Vec<String> {
@@ -340,19 +239,6 @@ impl Decided {
         });
         Some(format!("{{{}}}", certificate_fields(&numbers, certificate).join(", ")))
     }
-}
-
-/// The first line of a script: the program ends with status 1 unless its last line is reached. No beginning of it is a
-/// program that ends with 0.
-const GUARD: &str = "GUARD = (__import__(\"atexit\").register(lambda: __import__(\"os\")._exit(1)) if __name__ == \
-                     \"__main__\" else None)";
-
-/// The lines of a script with the last one, which holds their checksum.
-pub fn sealed(lines: &str) -> String {
-    let lines = format!("{}\n\n\n", lines.trim_end());
-    let mut sum = Checksum::default();
-    sum.add(lines.as_bytes());
-    format!("{lines}if __name__ == \"__main__\": main(DATA, READINGS, __file__, GUARD, \"{sum}\")\n")
 }
 
 pub(super) fn one_line(text: &str) -> String {

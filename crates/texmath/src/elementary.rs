@@ -49,8 +49,6 @@ pub struct Elementary {
     /// Its value as a function of real numbers, NaN outside the domain, and its principal value over the complex numbers.
     pub real: fn(f64) -> f64,
     pub complex: fn(Complex64) -> Complex64,
-    /// Its name in SymPy and mpmath.
-    pub sympy: &'static str,
 }
 
 /// A function that is analytic everywhere and of which nothing else is said.
@@ -69,7 +67,6 @@ const ENTIRE: Elementary = Elementary {
     is_analytic: true,
     real: |_| f64::NAN,
     complex: |_| Complex64::new(f64::NAN, f64::NAN),
-    sympy: "",
 };
 
 /// The inverse of a function.
@@ -104,7 +101,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: f64::sin,
         complex: |z| z.sin(),
-        sympy: "sin",
         ..ENTIRE
     },
     Elementary {
@@ -114,7 +110,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Even),
         real: f64::cos,
         complex: |z| z.cos(),
-        sympy: "cos",
         ..ENTIRE
     },
     Elementary {
@@ -125,7 +120,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: f64::tan,
         complex: |z| z.tan(),
-        sympy: "tan",
         ..ENTIRE
     },
     Elementary {
@@ -136,7 +130,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: |x| x.tan().recip(),
         complex: |z| z.tan().inv(),
-        sympy: "cot",
         ..ENTIRE
     },
     Elementary {
@@ -147,7 +140,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Even),
         real: |x| x.cos().recip(),
         complex: |z| z.cos().inv(),
-        sympy: "sec",
         ..ENTIRE
     },
     Elementary {
@@ -159,7 +151,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: |x| x.sin().recip(),
         complex: |z| z.sin().inv(),
-        sympy: "csc",
         ..ENTIRE
     },
     Elementary {
@@ -169,7 +160,6 @@ static TABLE: [Elementary; 28] = [
         range: "y > 0",
         real: f64::exp,
         complex: |z| z.exp(),
-        sympy: "exp",
         ..ENTIRE
     },
     Elementary {
@@ -179,7 +169,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\exp"),
         real: f64::ln,
         complex: |z| z.ln(),
-        sympy: "ln",
         ..ENTIRE
     },
     Elementary {
@@ -189,7 +178,6 @@ static TABLE: [Elementary; 28] = [
         domain: "x > 0",
         real: f64::ln,
         complex: |z| z.ln(),
-        sympy: "ln",
         ..ENTIRE
     },
     Elementary {
@@ -199,7 +187,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: f64::sinh,
         complex: |z| z.sinh(),
-        sympy: "sinh",
         ..ENTIRE
     },
     Elementary {
@@ -210,7 +197,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Even),
         real: f64::cosh,
         complex: |z| z.cosh(),
-        sympy: "cosh",
         ..ENTIRE
     },
     Elementary {
@@ -221,7 +207,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: f64::tanh,
         complex: |z| z.tanh(),
-        sympy: "tanh",
         ..ENTIRE
     },
     Elementary {
@@ -232,7 +217,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: |x| x.tanh().recip(),
         complex: |z| z.tanh().inv(),
-        sympy: "coth",
         ..ENTIRE
     },
     Elementary {
@@ -244,7 +228,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\sin"),
         real: f64::asin,
         complex: |z| z.asin(),
-        sympy: "asin",
         ..INVERSE
     },
     Elementary {
@@ -255,7 +238,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\cos"),
         real: f64::acos,
         complex: |z| z.acos(),
-        sympy: "acos",
         ..INVERSE
     },
     Elementary {
@@ -266,7 +248,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\tan"),
         real: f64::atan,
         complex: |z| z.atan(),
-        sympy: "atan",
         ..INVERSE
     },
     Elementary {
@@ -279,7 +260,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\sinh"),
         real: f64::asinh,
         complex: |z| z.asinh(),
-        sympy: "asinh",
         ..INVERSE
     },
     Elementary {
@@ -294,7 +274,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\cosh"),
         real: f64::acosh,
         complex: |z| z.acosh(),
-        sympy: "acosh",
         ..INVERSE
     },
     Elementary {
@@ -308,7 +287,6 @@ static TABLE: [Elementary; 28] = [
         inverse_of: Some(r"\tanh"),
         real: f64::atanh,
         complex: |z| z.atanh(),
-        sympy: "atanh",
         ..INVERSE
     },
     Elementary {
@@ -319,7 +297,6 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Even),
         real: f64::abs,
         complex: |z| z.norm().into(),
-        sympy: "Abs",
         ..INVERSE
     },
     Elementary {
@@ -329,28 +306,24 @@ static TABLE: [Elementary; 28] = [
         parity: Some(Parity::Odd),
         real: |x| if x == 0.0 { 0.0 } else { x.signum() },
         complex: |z| if z.norm() == 0.0 { z } else { z / z.norm() },
-        sympy: "sign",
         ..INVERSE
     },
     Elementary {
         command: r"\Re",
         real: |x| x,
         complex: |z| z.re.into(),
-        sympy: "re",
         ..PART
     },
     Elementary {
         command: r"\Im",
         real: |x| 0.0 * x,
         complex: |z| z.im.into(),
-        sympy: "im",
         ..PART
     },
     Elementary {
         command: r"\arg",
         real: |x| if x < 0.0 { std::f64::consts::PI } else { 0.0 },
         complex: |z| z.arg().into(),
-        sympy: "arg",
         ..PART
     },
     reads(r"\lg", &[], r"\frac{\ln x}{\ln 10}"),
