@@ -1,6 +1,6 @@
 """Checks all proof data below a folder; says which are refused, and how many are accepted.
 
-What `check.py` leaves out, or cannot tell, it refuses with one of a few words: of the files at most one in fourteen.
+Of the files `check.py` leaves at most one in fourteen out, or cannot tell.
 """
 
 import concurrent.futures
@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 MOST_LEFT_OUT = 14
-LEFT_OUT = ("is not checked here", "too close to 0 to tell")
+LEFT_OUT = (": left out: ", "too close to 0 to tell")
 
 
 def said(checker, files):

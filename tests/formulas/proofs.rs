@@ -306,7 +306,7 @@ fn all_data(sheet: &Sheet) -> Vec<(String, String)> {
 }
 
 /// What the checker leaves out to be short.
-const LEFT_OUT: &str = "is not checked here";
+const LEFT_OUT: &str = ": left out: ";
 
 #[test]
 fn proof_data_is_accepted_by_its_checker() {
