@@ -262,9 +262,10 @@ fn most_of_the_textbooks_are_accepted() {
     let Some(table) = table_of(&texts.map(sheet), &|label| sample::takes(label, 12)) else {
         return;
     };
+    // what goes to infinity, a third of it, is goals by itself
     let [[proved, printed], [refuted, refuted_printed]] = ["proved", "refuted"].map(|kind| table.shares(kind));
     assert!(
-        proved >= 0.7 && printed >= 0.4 && refuted >= 0.7 && refuted_printed >= 0.3,
+        proved >= 0.7 && printed >= 0.15 && refuted >= 0.8 && refuted_printed >= 0.05,
         "{proved} {printed} {refuted} {refuted_printed}"
     );
 }
