@@ -19,8 +19,10 @@ mod exit;
 mod failure;
 mod files;
 mod golden;
+mod jsonrpc;
 mod man;
 mod map;
+mod mcp;
 mod mended;
 mod merge;
 #[cfg(test)]
@@ -169,6 +171,7 @@ enum Command {
     Problems(problems::Arguments),
     Score(score::Arguments),
     Stress(stress::Arguments),
+    Mcp(mcp::Arguments),
     Completions(completions::Arguments),
     Man(man::Arguments),
 }
@@ -194,6 +197,7 @@ impl Command {
             Self::Problems(arguments) => problems::run(arguments, options),
             Self::Score(arguments) => score::run(arguments, options),
             Self::Stress(arguments) => stress::run(arguments, options),
+            Self::Mcp(arguments) => mcp::run(arguments),
             Self::Completions(arguments) => completions::run(arguments, Line::grammar()),
             Self::Man(arguments) => man::run(arguments, Line::grammar()),
         }
@@ -229,7 +233,7 @@ impl Command {
             Self::Stress(_) => "stress",
             Self::Man(_) => "man",
             // the columns are those of the parts
-            Self::Completions(_) | Self::Merge(_) => return None,
+            Self::Completions(_) | Self::Mcp(_) | Self::Merge(_) => return None,
         })
     }
 

@@ -10,6 +10,7 @@ mod cli;
 mod columns;
 mod fuzz;
 mod hostile;
+mod mcp;
 mod merge;
 mod page;
 mod peers;
