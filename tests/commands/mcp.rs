@@ -21,7 +21,7 @@ struct Client {
 impl Client {
     /// A client of a server in this directory, before the handshake.
     fn new(directory: &Scratch) -> Self {
-        let mut command = program(["mcp"]).within(directory).command();
+        let mut command = program(["mcp"]).within(&**directory).command();
         command
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -212,8 +212,8 @@ fn the_results_of_all_tools_are_as_their_schemas_say() {
     let mut client = Client::ready(&scratch);
     let tools = client.result("tools/list", json!({}))["tools"].clone();
     let scene = "[motion]\ng = 0.122\nd = 0.4\nr_b = 0.5\nr_t = 0.5\n";
-    let printed = "id,place,quantity,scene,set,printed,expected,rests_on,reason\n\
-                   t,Table 1,orbits.velocities[0],fig02,motion.d=0.4,0.83272,reproduced,,\n";
+    let printed = "id,place,scene,set,quantity,printed,unit,expected,rests_on,note\n\
+                   t,Table 1,fig02,motion.d=0.4,orbits.velocities[0],0.83272,,reproduced,,\n";
     std::fs::create_dir(scratch.join("mine")).unwrap();
     scratch.file("mine/printed.csv", printed);
     for (name, arguments, words) in [
