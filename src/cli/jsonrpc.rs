@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Value, json};
-use std::io::{self, BufRead, Write};
+use std::io::{self, BufRead, Read, Write};
 use std::sync::{Mutex, PoisonError};
 
 /// The text is no JSON.
@@ -15,6 +15,12 @@ pub const METHOD_NOT_FOUND: i64 = -32_601;
 pub const INVALID_PARAMS: i64 = -32_602;
 /// The server cannot answer at present.
 pub const SERVER_BUSY: i64 = -32_000;
+/// The handshake is missing, of the Language Server Protocol.
+pub const NOT_INITIALIZED: i64 = -32_002;
+/// The request was cancelled, of the Language Server Protocol.
+pub const REQUEST_CANCELLED: i64 = -32_800;
+/// The text has changed since the request, of the Language Server Protocol.
+pub const CONTENT_MODIFIED: i64 = -32_801;
 
 /// An error of the protocol, as a response carries it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -108,6 +114,8 @@ pub enum Frame {
     Whole(Vec<u8>),
     /// More bytes than are read; they are skipped.
     TooLong,
+    /// A header without a length of the message.
+    NoLength,
 }
 
 /// Reads a line without its line break; `None` at the end of the input.
@@ -147,6 +155,44 @@ pub fn line(input: &mut dyn BufRead, most: usize) -> io::Result<Option<Frame>> {
     })
 }
 
+/// The longest line of a header, in bytes.
+const LONGEST_HEADER: usize = 4096;
+
+/// Reads a message behind a header with its length; `None` at the end of the input.
+///
+/// # Errors
+/// The input cannot be read.
+pub fn message(input: &mut dyn BufRead, most: usize) -> io::Result<Option<Frame>> {
+    let mut length: Option<u64> = None;
+    loop {
+        let header = match line(input, LONGEST_HEADER)? {
+            None => return Ok(None),
+            Some(Frame::Whole(header)) => String::from_utf8_lossy(&header).trim().to_owned(),
+            Some(_) => continue,
+        };
+        if header.is_empty() {
+            break;
+        }
+        if let Some((name, value)) = header.split_once(':')
+            && name.trim().eq_ignore_ascii_case("content-length")
+        {
+            length = value.trim().parse().ok();
+        }
+    }
+    let Some(length) = length else {
+        return Ok(Some(Frame::NoLength));
+    };
+    let mut body = input.take(length);
+    if length > most as u64 {
+        io::copy(&mut body, &mut io::sink())?;
+        return Ok(Some(Frame::TooLong));
+    }
+    let mut bytes = Vec::new();
+    body.read_to_end(&mut bytes)?;
+    // a message that is cut off ends the input
+    Ok((bytes.len() as u64 == length).then_some(Frame::Whole(bytes)))
+}
+
 /// The output of a server, which several threads write to, a whole message each time.
 pub struct Out {
     to: Mutex<Box<dyn Write + Send>>,
@@ -160,6 +206,15 @@ impl Out {
         Self {
             to: Mutex::new(to),
             has_length: false,
+        }
+    }
+
+    /// An output with a header before each message.
+    pub fn with_lengths(to: impl Write + Send + 'static) -> Self {
+        let has_length = true;
+        Self {
+            has_length,
+            ..Self::lines(to)
         }
     }
 
@@ -201,6 +256,19 @@ mod tests {
             let response = read(text).unwrap_err();
             assert_eq!((&response["id"], &response["error"]["code"]), (&id, &INVALID_REQUEST.into()), "{text}");
         }
+    }
+
+    #[test]
+    fn a_message_has_the_length_that_its_header_says() {
+        let text = "Content-Length: 2\r\n\r\n{}content-length:3\nX: y\n\n[1]nonsense\n\n\
+                    Content-Length: 9\r\n\r\n123456789Content-Length: 4\r\n\r\n12";
+        let mut input = text.as_bytes();
+        let mut next = || message(&mut input, 5).unwrap();
+        assert_eq!(next(), Some(Frame::Whole(b"{}".to_vec())));
+        assert_eq!(next(), Some(Frame::Whole(b"[1]".to_vec())));
+        assert_eq!(next(), Some(Frame::NoLength));
+        assert_eq!(next(), Some(Frame::TooLong));
+        assert_eq!(next(), None);
     }
 
     #[test]

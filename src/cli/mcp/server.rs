@@ -51,7 +51,7 @@ pub fn serve(input: &mut dyn BufRead, output: impl Write + Send + 'static) {
     // an input that cannot be read has ended
     while let Ok(Some(frame)) = line(input, LONGEST_LINE) {
         match frame {
-            Frame::TooLong => {
+            Frame::TooLong | Frame::NoLength => {
                 let problem = format!("a message has at most {} MB; give the path of a long file", LONGEST_LINE >> 20);
                 let error = Error::new(INVALID_REQUEST, problem);
                 server.shared.out.send(&failure(&Value::Null, &error));
