@@ -10,6 +10,7 @@ mod cli;
 mod columns;
 mod fuzz;
 mod hostile;
+mod lsp;
 mod mcp;
 mod merge;
 mod page;
