@@ -254,7 +254,11 @@ mod tests {
             (r#"{"jsonrpc":"2.0","id":1,"method":"ping","params":3}"#, 1.into()),
         ] {
             let response = read(text).unwrap_err();
-            assert_eq!((&response["id"], &response["error"]["code"]), (&id, &INVALID_REQUEST.into()), "{text}");
+            assert_eq!(
+                (&response["id"], &response["error"]["code"]),
+                (&id, &INVALID_REQUEST.into()),
+                "{text}"
+            );
         }
     }
 

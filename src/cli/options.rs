@@ -143,7 +143,10 @@ pub(super) fn of_command(option: clap::Arg, command: &str) -> clap::Arg {
         "format" => option
             .value_parser(format_parser(&formats(command)))
             .hide(matches!(command, "completions" | "lsp" | "mcp" | "plot")),
-        "digits" => option.hide(matches!(command, "completions" | "lsp" | "man" | "mcp" | "merge" | "scenes")),
+        "digits" => option.hide(matches!(
+            command,
+            "completions" | "lsp" | "man" | "mcp" | "merge" | "scenes"
+        )),
         "out" if command == "run" => option
             .value_name("DIR")
             .help("Write the files of all commands into the directory DIR"),

@@ -68,7 +68,10 @@ impl Editor {
     fn ready() -> Self {
         let mut editor = Self::new();
         let capabilities = json!({ "workspace": { "workspaceEdit": { "documentChanges": true } } });
-        let result = editor.result("initialize", json!({ "processId": null, "rootUri": null, "capabilities": capabilities }));
+        let result = editor.result(
+            "initialize",
+            json!({ "processId": null, "rootUri": null, "capabilities": capabilities }),
+        );
         assert_eq!(result["capabilities"]["positionEncoding"], "utf-16");
         editor.notify("initialized", json!({}));
         editor
@@ -128,7 +131,9 @@ impl Editor {
     #[track_caller]
     fn code(&mut self, method: &str, params: Value) -> i64 {
         let response = self.response(method, params);
-        response["error"]["code"].as_i64().unwrap_or_else(|| panic!("no error: {response}"))
+        response["error"]["code"]
+            .as_i64()
+            .unwrap_or_else(|| panic!("no error: {response}"))
     }
 
     fn open(&mut self, uri: &str, language: &str, text: &str) {
@@ -160,7 +165,10 @@ impl Editor {
             "range": { "start": place, "end": place },
             "context": { "diagnostics": [] },
         });
-        self.result("textDocument/codeAction", params).as_array().expect("a list").clone()
+        self.result("textDocument/codeAction", params)
+            .as_array()
+            .expect("a list")
+            .clone()
     }
 
     fn hover(&mut self, uri: &str, line: u64, character: u64) -> Value {
@@ -214,33 +222,63 @@ fn a_slip_is_marked_and_repaired_by_a_quick_fix() {
     let line: Vec<u16> = FALL.lines().nth(3).unwrap().encode_utf16().collect();
     let range = &found[0]["range"];
     let [start, end] = ["start", "end"].map(|end| range[end]["character"].as_u64().unwrap() as usize);
-    assert_eq!((range["start"]["line"].as_u64(), range["end"]["line"].as_u64()), (Some(3), Some(3)));
+    assert_eq!(
+        (range["start"]["line"].as_u64(), range["end"]["line"].as_u64()),
+        (Some(3), Some(3))
+    );
     assert_eq!(String::from_utf16(&line[start..end]).unwrap(), "v^2 = g (H - h)");
-    assert_eq!((&found[0]["severity"], &found[0]["code"], &found[0]["source"]), (&json!(1), &json!("refuted"), &json!("vibro-audit")));
-    assert!(found[0]["message"].as_str().unwrap().contains("counterexample: E=0"), "{found:?}");
+    assert_eq!(
+        (&found[0]["severity"], &found[0]["code"], &found[0]["source"]),
+        (&json!(1), &json!("refuted"), &json!("vibro-audit"))
+    );
+    assert!(
+        found[0]["message"].as_str().unwrap().contains("counterexample: E=0"),
+        "{found:?}"
+    );
     // the repairs follow
     let found = editor.diagnostics(URI, 1);
-    assert!(found[0]["message"].as_str().unwrap().contains("factor `2` is missing"), "{found:?}");
+    assert!(
+        found[0]["message"].as_str().unwrap().contains("factor `2` is missing"),
+        "{found:?}"
+    );
     let hover = editor.hover(URI, 3, start as u64 + 2);
     let said = hover["contents"]["value"].as_str().unwrap();
-    assert!(said.starts_with("(3) refuted") && said.contains("digits: 0.6"), "{said}");
+    assert!(
+        said.starts_with("(3) refuted") && said.contains("digits: 0.6"),
+        "{said}"
+    );
     assert_eq!(&hover["range"], range);
     assert_eq!(editor.hover(URI, 0, 3), Value::Null);
     let actions = editor.actions(URI, 3, start as u64);
-    assert_eq!((&actions[0]["kind"], &actions[0]["isPreferred"]), (&json!("quickfix"), &json!(true)));
+    assert_eq!(
+        (&actions[0]["kind"], &actions[0]["isPreferred"]),
+        (&json!("quickfix"), &json!(true))
+    );
     assert_eq!(actions[0]["diagnostics"][0]["code"], "refuted");
-    assert_eq!(actions[0]["edit"]["documentChanges"][0]["textDocument"], json!({ "uri": URI, "version": 1 }));
+    assert_eq!(
+        actions[0]["edit"]["documentChanges"][0]["textDocument"],
+        json!({ "uri": URI, "version": 1 })
+    );
     assert!(editor.actions(URI, 0, 0).is_empty());
     let mended = applied(FALL, &actions[0]);
     assert_eq!(mended, FALL.replace("v^2 = g (H - h)", r"v^2 = 2 g \cdot (H - h)"));
     editor.change(URI, 2, &mended);
     assert!(editor.diagnostics(URI, 2).is_empty());
     let hover = editor.hover(URI, 3, start as u64 + 2);
-    assert!(hover["contents"]["value"].as_str().unwrap().starts_with("(3) proved"), "{hover}");
+    assert!(
+        hover["contents"]["value"].as_str().unwrap().starts_with("(3) proved"),
+        "{hover}"
+    );
     editor.notify("textDocument/didClose", json!({ "textDocument": { "uri": URI } }));
     let message = editor.next();
     assert_eq!(message["params"], json!({ "uri": URI, "diagnostics": [] }));
-    assert_eq!(editor.code("textDocument/hover", json!({ "textDocument": { "uri": URI }, "position": { "line": 0, "character": 0 } })), -32_602);
+    assert_eq!(
+        editor.code(
+            "textDocument/hover",
+            json!({ "textDocument": { "uri": URI }, "position": { "line": 0, "character": 0 } })
+        ),
+        -32_602
+    );
     assert_eq!(editor.result("shutdown", Value::Null), Value::Null);
     assert_eq!(editor.end(true), Some(0));
 }
@@ -257,16 +295,29 @@ fn markdown_sheets_and_what_cannot_be_read_are_marked_too() {
     assert!(editor.diagnostics("file:///nowhere/notes.md", 2).is_empty());
     let sheet = "[symbols]\nparameters = ['x']\n[[equation]]\nlabel = 's'\nrole = 'claim'\ntex = 'x + x = 3 x'\n";
     editor.open("file:///nowhere/sheet.toml", "toml", sheet);
-    assert_eq!(editor.diagnostics("file:///nowhere/sheet.toml", 1)[0]["range"]["start"], json!({ "line": 5, "character": 7 }));
+    assert_eq!(
+        editor.diagnostics("file:///nowhere/sheet.toml", 1)[0]["range"]["start"],
+        json!({ "line": 5, "character": 7 })
+    );
     editor.diagnostics("file:///nowhere/sheet.toml", 1);
     let actions = editor.actions("file:///nowhere/sheet.toml", 5, 8);
     assert!(applied(sheet, &actions[0]).contains("x + x = 2 x"), "{actions:?}");
     editor.change("file:///nowhere/sheet.toml", 2, &sheet.replace("role", "rol"));
     let found = editor.diagnostics("file:///nowhere/sheet.toml", 2);
-    assert!(found[0]["message"].as_str().unwrap().contains("did you mean `role`?"), "{found:?}");
-    editor.change("file:///nowhere/sheet.toml", 3, &sheet.replace("x + x = 3 x", "x + y = 3 x"));
+    assert!(
+        found[0]["message"].as_str().unwrap().contains("did you mean `role`?"),
+        "{found:?}"
+    );
+    editor.change(
+        "file:///nowhere/sheet.toml",
+        3,
+        &sheet.replace("x + x = 3 x", "x + y = 3 x"),
+    );
     let found = editor.diagnostics("file:///nowhere/sheet.toml", 3);
-    assert_eq!((&found[0]["code"], &found[0]["range"]["start"]["character"]), (&json!("unread"), &json!(11)));
+    assert_eq!(
+        (&found[0]["code"], &found[0]["range"]["start"]["character"]),
+        (&json!("unread"), &json!(11))
+    );
     // no formulas are here
     for (uri, language, text) in [
         ("file:///nowhere/Cargo.toml", "toml", "[package]\nname = 'a'\n"),
@@ -289,7 +340,11 @@ fn a_document_without_comments_is_marked_where_a_link_is_suspect() {
     let mut editor = Editor::ready();
     editor.open(URI, "latex", text);
     let found = editor.diagnostics(URI, 1);
-    assert_eq!((found.len(), &found[0]["code"], &found[0]["severity"]), (1, &json!("suspect"), &json!(2)), "{found:?}");
+    assert_eq!(
+        (found.len(), &found[0]["code"], &found[0]["severity"]),
+        (1, &json!("suspect"), &json!(2)),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -301,7 +356,10 @@ fn only_the_last_version_is_published() {
     let mut editor = Editor::ready();
     let start = Instant::now();
     editor.open(URI, "latex", &slow);
-    let waiting = editor.request("textDocument/hover", json!({ "textDocument": { "uri": URI }, "position": { "line": 3, "character": 40 } }));
+    let waiting = editor.request(
+        "textDocument/hover",
+        json!({ "textDocument": { "uri": URI }, "position": { "line": 3, "character": 40 } }),
+    );
     for version in 2..40 {
         editor.change(URI, version, &slow.replace("6 E", &format!("{version} E")));
     }
@@ -311,7 +369,10 @@ fn only_the_last_version_is_published() {
         let message = editor.next();
         if message["id"] == waiting {
             // answered, or refused as the text has changed
-            assert!(message["error"]["code"] == -32_801 || message["result"].is_object(), "{message}");
+            assert!(
+                message["error"]["code"] == -32_801 || message["result"].is_object(),
+                "{message}"
+            );
             continue;
         }
         seen.push(message["params"]["version"].as_i64().expect("a version"));
@@ -321,16 +382,22 @@ fn only_the_last_version_is_published() {
     }
     assert!(seen.is_sorted(), "{seen:?}");
     assert!(start.elapsed() < Duration::from_secs(60));
-    let cancelled = editor.request("textDocument/codeAction", json!({
-        "textDocument": { "uri": URI },
-        "range": { "start": { "line": 3, "character": 40 }, "end": { "line": 3, "character": 40 } },
-        "context": { "diagnostics": [] },
-    }));
+    let cancelled = editor.request(
+        "textDocument/codeAction",
+        json!({
+            "textDocument": { "uri": URI },
+            "range": { "start": { "line": 3, "character": 40 }, "end": { "line": 3, "character": 40 } },
+            "context": { "diagnostics": [] },
+        }),
+    );
     editor.notify("$/cancelRequest", json!({ "id": cancelled }));
     loop {
         let message = editor.next();
         if message["id"] == cancelled {
-            assert!(message["error"]["code"] == -32_800 || message["result"].is_array(), "{message}");
+            assert!(
+                message["error"]["code"] == -32_800 || message["result"].is_array(),
+                "{message}"
+            );
             break;
         }
     }
@@ -342,7 +409,11 @@ fn wrong_messages_have_their_errors_and_end_nothing() {
     assert_eq!(editor.code("textDocument/hover", json!({})), -32_002);
     editor.result("initialize", json!({ "capabilities": {} }));
     assert_eq!(editor.code("initialize", json!({})), -32_600);
-    for text in ["Content-Length: 8\r\n\r\nnonsense", "nonsense\r\n\r\n", "Content-Length: x\r\n\r\n"] {
+    for text in [
+        "Content-Length: 8\r\n\r\nnonsense",
+        "nonsense\r\n\r\n",
+        "Content-Length: x\r\n\r\n",
+    ] {
         editor.raw(text);
         assert_eq!(editor.next()["error"]["code"], -32_700, "{text}");
     }
@@ -354,8 +425,15 @@ fn wrong_messages_have_their_errors_and_end_nothing() {
     editor.raw(&format!("Content-Length: {long}\r\n\r\n{}", " ".repeat(long)));
     assert_eq!(editor.next()["error"]["code"], -32_600);
     assert_eq!(editor.code("textDocument/rename", json!({})), -32_601);
-    assert_eq!(editor.code("textDocument/hover", json!({ "textDocument": { "uri": URI } })), -32_602);
-    for params in [json!({}), json!({ "textDocument": { "uri": URI }, "contentChanges": [] }), json!([])] {
+    assert_eq!(
+        editor.code("textDocument/hover", json!({ "textDocument": { "uri": URI } })),
+        -32_602
+    );
+    for params in [
+        json!({}),
+        json!({ "textDocument": { "uri": URI }, "contentChanges": [] }),
+        json!([]),
+    ] {
         editor.notify("textDocument/didChange", params.clone());
         editor.notify("textDocument/didOpen", params);
     }

@@ -144,7 +144,11 @@ fn mismatch(value: &Value, schema: &Value, path: &str) -> Option<String> {
     if !kinds.iter().any(is_one) {
         return Some(format!("{path} should be {kinds:?}: {value}"));
     }
-    let required = schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let required = schema["required"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_str);
     for name in required {
         if value.get(name).is_none() {
             return Some(format!("{path}.{name} is missing"));
@@ -189,7 +193,12 @@ fn versions_are_negotiated_and_what_the_server_has_is_listed() {
     let mut client = Client::ready(&scratch);
     assert_eq!(client.result("ping", json!({})), json!({}));
     let tools = client.result("tools/list", json!({}))["tools"].clone();
-    let names: Vec<&str> = tools.as_array().unwrap().iter().filter_map(|tool| tool["name"].as_str()).collect();
+    let names: Vec<&str> = tools
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|tool| tool["name"].as_str())
+        .collect();
     assert_eq!(names, ["audit", "explain", "repair", "check", "orbits"]);
     for tool in tools.as_array().unwrap() {
         assert_eq!(tool["annotations"]["readOnlyHint"], true);
@@ -201,7 +210,10 @@ fn versions_are_negotiated_and_what_the_server_has_is_listed() {
         let read = client.result("resources/read", json!({ "uri": resource["uri"] }));
         assert!(read["contents"][0]["text"].as_str().unwrap().starts_with("# "));
     }
-    assert_eq!(client.error("resources/read", json!({ "uri": "file:///etc/passwd" })).0, -32_002);
+    assert_eq!(
+        client.error("resources/read", json!({ "uri": "file:///etc/passwd" })).0,
+        -32_002
+    );
     assert_eq!(client.end(), (Some(0), Vec::new()));
 }
 
@@ -217,19 +229,40 @@ fn the_results_of_all_tools_are_as_their_schemas_say() {
     std::fs::create_dir(scratch.join("mine")).unwrap();
     scratch.file("mine/printed.csv", printed);
     for (name, arguments, words) in [
-        ("audit", json!({ "path": "fall.tex" }), "1 claims: 1 refuted; not all as expected"),
-        ("audit", json!({ "text": FALL, "name": "a.tex", "repair": true, "findings_only": true, "effort": 2 }), "refuted"),
+        (
+            "audit",
+            json!({ "path": "fall.tex" }),
+            "1 claims: 1 refuted; not all as expected",
+        ),
+        (
+            "audit",
+            json!({ "text": FALL, "name": "a.tex", "repair": true, "findings_only": true, "effort": 2 }),
+            "refuted",
+        ),
         ("explain", json!({ "path": "fall.tex", "label": "(3)" }), "right = 9/2"),
-        ("repair", json!({ "path": "fall.tex", "label": "3" }), "replace `v^2 = g (H - h)` by"),
+        (
+            "repair",
+            json!({ "path": "fall.tex", "label": "3" }),
+            "replace `v^2 = g (H - h)` by",
+        ),
         ("check", json!({ "directory": "mine" }), "reproduced"),
         ("orbits", json!({ "text": scene }), "complete: true"),
-        ("orbits", json!({ "scene": "fig02", "set": ["motion.d=0.3"], "digits": 20 }), "BT"),
+        (
+            "orbits",
+            json!({ "scene": "fig02", "set": ["motion.d=0.3"], "digits": 20 }),
+            "BT",
+        ),
     ] {
         let result = client.call(name, arguments);
         let text = result["content"][0]["text"].as_str().unwrap();
         assert_eq!(result["isError"], false, "{text}");
         assert!(text.contains(words), "{name}: {text}");
-        let tool = tools.as_array().unwrap().iter().find(|tool| tool["name"] == name).unwrap();
+        let tool = tools
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|tool| tool["name"] == name)
+            .unwrap();
         if let Some(schema) = tool.get("outputSchema") {
             assert_eq!(mismatch(&result["structuredContent"], schema, name), None);
         }
@@ -266,7 +299,12 @@ fn an_assistant_finds_an_error_repairs_it_and_audits_again() {
     assert_eq!(found["structuredContent"]["formulas"][0]["verdict"], "proved");
     assert_eq!(found["structuredContent"]["as_expected"], true);
     let none = client.call("repair", json!({ "text": mended, "name": "fall.tex" }));
-    assert!(none["content"][0]["text"].as_str().unwrap().contains("nothing to repair"));
+    assert!(
+        none["content"][0]["text"]
+            .as_str()
+            .unwrap()
+            .contains("nothing to repair")
+    );
 }
 
 #[test]
@@ -298,7 +336,11 @@ fn the_examples_of_the_instructions_are_proved() {
 ";
     let found = client.call("audit", json!({ "text": document, "name": "grammar.tex" }));
     assert_eq!(found["structuredContent"]["as_expected"], true, "{found}");
-    assert_eq!(found["structuredContent"]["counts"], json!({ "proved": 3, "refuted": 1 }), "{found}");
+    assert_eq!(
+        found["structuredContent"]["counts"],
+        json!({ "proved": 3, "refuted": 1 }),
+        "{found}"
+    );
 }
 
 #[test]
@@ -311,8 +353,16 @@ fn unusable_input_is_a_result_that_says_what_to_do() {
         ("audit", json!({ "path": "-" }), "there is no such file"),
         ("audit", json!({ "text": "[[equation]\n", "name": "a.toml" }), "line 1"),
         ("audit", json!({ "text": long, "name": "a.tex" }), "more than 8 MB"),
-        ("explain", json!({ "text": FALL, "name": "a.tex", "label": "7" }), "no claim `7` (there are: 3)"),
-        ("repair", json!({ "text": FALL, "name": "a.tex", "label": "7" }), "no claim `7` (there are: 3)"),
+        (
+            "explain",
+            json!({ "text": FALL, "name": "a.tex", "label": "7" }),
+            "no claim `7` (there are: 3)",
+        ),
+        (
+            "repair",
+            json!({ "text": FALL, "name": "a.tex", "label": "7" }),
+            "no claim `7` (there are: 3)",
+        ),
         ("check", json!({ "directory": "none" }), "none"),
         ("orbits", json!({ "scene": "fig99" }), "did you mean"),
         ("orbits", json!({ "scene": "-" }), "there is no such file"),
@@ -351,14 +401,38 @@ fn wrong_messages_have_their_errors_and_end_nothing() {
         (json!({ "name": "shell", "arguments": {} }), "there is no tool `shell`"),
         (json!({ "arguments": {} }), "`name`"),
         (json!({ "name": "audit" }), "give `text` or `path`"),
-        (json!({ "name": "audit", "arguments": [] }), "`arguments` should be an object"),
-        (json!({ "name": "audit", "arguments": { "text": "", "path": "" } }), "not both"),
-        (json!({ "name": "audit", "arguments": { "text": 3 } }), "`text` should be a string"),
-        (json!({ "name": "audit", "arguments": { "txt": "" } }), "did you mean `text`?"),
-        (json!({ "name": "audit", "arguments": { "text": "", "effort": 0 } }), "`effort`"),
-        (json!({ "name": "audit", "arguments": { "text": "", "repair": "yes" } }), "`repair`"),
-        (json!({ "name": "explain", "arguments": { "text": "" } }), "`label` is missing"),
-        (json!({ "name": "orbits", "arguments": { "scene": "fig02", "set": [1] } }), "`set`"),
+        (
+            json!({ "name": "audit", "arguments": [] }),
+            "`arguments` should be an object",
+        ),
+        (
+            json!({ "name": "audit", "arguments": { "text": "", "path": "" } }),
+            "not both",
+        ),
+        (
+            json!({ "name": "audit", "arguments": { "text": 3 } }),
+            "`text` should be a string",
+        ),
+        (
+            json!({ "name": "audit", "arguments": { "txt": "" } }),
+            "did you mean `text`?",
+        ),
+        (
+            json!({ "name": "audit", "arguments": { "text": "", "effort": 0 } }),
+            "`effort`",
+        ),
+        (
+            json!({ "name": "audit", "arguments": { "text": "", "repair": "yes" } }),
+            "`repair`",
+        ),
+        (
+            json!({ "name": "explain", "arguments": { "text": "" } }),
+            "`label` is missing",
+        ),
+        (
+            json!({ "name": "orbits", "arguments": { "scene": "fig02", "set": [1] } }),
+            "`set`",
+        ),
     ] {
         let (code, message) = client.error("tools/call", params);
         assert!(code == -32_602 && message.contains(words), "{code}: {message}");
@@ -377,7 +451,10 @@ fn a_huge_line_is_refused_and_the_next_one_is_read() {
     }
     client.raw(b"\n");
     let response = client.next();
-    assert_eq!((&response["id"], &response["error"]["code"]), (&Value::Null, &json!(-32_600)));
+    assert_eq!(
+        (&response["id"], &response["error"]["code"]),
+        (&Value::Null, &json!(-32_600))
+    );
     assert_eq!(client.result("ping", json!({})), json!({}));
 }
 
@@ -389,11 +466,17 @@ fn a_call_is_cancelled_while_the_server_goes_on_answering() {
     let long = client.request("tools/call", json!({ "name": "audit", "arguments": arguments }));
     assert_eq!(client.result("ping", json!({})), json!({}));
     // one behind it that never begins
-    let waiting = client.request("tools/call", json!({ "name": "orbits", "arguments": { "scene": "fig02" } }));
+    let waiting = client.request(
+        "tools/call",
+        json!({ "name": "orbits", "arguments": { "scene": "fig02" } }),
+    );
     std::thread::sleep(Duration::from_millis(500));
     let start = Instant::now();
     for id in [waiting, long, 999] {
-        client.notify("notifications/cancelled", json!({ "requestId": id, "reason": "the text has changed" }));
+        client.notify(
+            "notifications/cancelled",
+            json!({ "requestId": id, "reason": "the text has changed" }),
+        );
     }
     // the next message answers the next call: there is none for those that were cancelled
     let found = client.call("audit", json!({ "text": FALL, "name": "fall.tex" }));
@@ -435,7 +518,12 @@ fn calls_that_stand_in_the_input_are_answered_before_the_end() {
     let scratch = scratch("end");
     let mut client = Client::ready(&scratch);
     let ids: Vec<u64> = (0..3)
-        .map(|_| client.request("tools/call", json!({ "name": "audit", "arguments": { "text": FALL, "name": "a.tex" } })))
+        .map(|_| {
+            client.request(
+                "tools/call",
+                json!({ "name": "audit", "arguments": { "text": FALL, "name": "a.tex" } }),
+            )
+        })
         .collect();
     let (status, left) = client.end();
     let answered: Vec<u64> = left.iter().filter_map(|message| message["id"].as_u64()).collect();
@@ -459,6 +547,11 @@ fn batches_belong_to_one_version_alone() {
     client.result("initialize", hello("2025-03-26"));
     client.send(&batch);
     let responses = client.next();
-    let ids: Vec<&Value> = responses.as_array().unwrap().iter().map(|response| &response["id"]).collect();
+    let ids: Vec<&Value> = responses
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|response| &response["id"])
+        .collect();
     assert_eq!(ids, [&json!("a"), &Value::Null, &json!("b")]);
 }

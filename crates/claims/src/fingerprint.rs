@@ -44,7 +44,9 @@ impl Sheet {
     /// Returns a fingerprint of each entry: of everything that is printed and read of it but its place in the file and the positions of what
     /// it follows from, which depend on other entries.
     pub fn fingerprints(&self) -> Vec<Fingerprint> {
-        let printed = self.printed().flat_map(|raw| std::iter::repeat_n(raw, raw.ways().len()));
+        let printed = self
+            .printed()
+            .flat_map(|raw| std::iter::repeat_n(raw, raw.ways().len()));
         let each = printed.zip(&self.entries).map(|(raw, entry)| {
             let mut fingerprint = Fingerprint::default();
             raw.write_to(&mut fingerprint);
@@ -69,7 +71,8 @@ impl Sheet {
             parts.fold(raw.tex.get_ref().clone(), |all, part| all + "\n" + part)
         };
         let each = self.printed();
-        each.flat_map(|raw| std::iter::repeat_n(text(raw), raw.ways().len())).collect()
+        each.flat_map(|raw| std::iter::repeat_n(text(raw), raw.ways().len()))
+            .collect()
     }
 }
 
@@ -108,8 +111,28 @@ impl RawEntry {
             to.add(&list.len());
             list.iter().for_each(|text| to.add(text.get_ref()));
         }
-        to.add(&(follows_from.is_some(), role, expect, names, guessed, standing, doubts, constants, held));
-        to.add(&(second_values, operators, identities, columns, need_not_hold, said, marked, unread, way));
+        to.add(&(
+            follows_from.is_some(),
+            role,
+            expect,
+            names,
+            guessed,
+            standing,
+            doubts,
+            constants,
+            held,
+        ));
+        to.add(&(
+            second_values,
+            operators,
+            identities,
+            columns,
+            need_not_hold,
+            said,
+            marked,
+            unread,
+            way,
+        ));
     }
 }
 
@@ -148,7 +171,17 @@ impl Entry {
             borrowed,
         } = self;
         let source = |source: &Source| (source.tex.clone(), source.file.clone());
-        to.add(&(label, role, source(tex), equations, printed, expect, names, guessed, standing));
+        to.add(&(
+            label,
+            role,
+            source(tex),
+            equations,
+            printed,
+            expect,
+            names,
+            guessed,
+            standing,
+        ));
         for (equation, from) in local.iter().chain(with).chain(given) {
             to.add(&(equation, source(from)));
         }
@@ -156,7 +189,16 @@ impl Entry {
             to.add(&(condition, source(from)));
         }
         to.add(&(local.len(), with.len(), given.len(), assume.len()));
-        to.add(&(is_implication, is_way, of_some, doubts, operators, identities, columns, need_not_hold));
+        to.add(&(
+            is_implication,
+            is_way,
+            of_some,
+            doubts,
+            operators,
+            identities,
+            columns,
+            need_not_hold,
+        ));
         to.add(&(for_all, alternatives, own, stated, borrowed));
         to.add(&unread.as_ref().map(|fault| &fault.message));
     }
@@ -177,7 +219,10 @@ mod tests {
         let sheet = "[symbols]\nparameters = ['a', 'b']\n[[equation]]\nlabel = '1'\nrole = 'premise'\ntex = 'a = b'\n\
                      [[equation]]\nlabel = '2'\nrole = 'claim'\ntex = 'a + b = 2 b'\nfollows_from = ['1']\n";
         let before = values(sheet);
-        assert_eq!(before, values(&format!("# a comment\n\n{}", sheet.replace("label", " label"))));
+        assert_eq!(
+            before,
+            values(&format!("# a comment\n\n{}", sheet.replace("label", " label")))
+        );
         for (old, new, is_same) in [
             ("tex = 'a = b'", "tex = 'a = -b'", [false, true]),
             ("2 b'", "2 b + 0'", [true, false]),
@@ -186,7 +231,11 @@ mod tests {
             ("'1'\nrole", "'1'\nexpect = 'refuted'\nrole", [false, true]),
         ] {
             let after = values(&sheet.replace(old, new));
-            let found: Vec<bool> = before.iter().zip(&after).map(|(before, after)| before == after).collect();
+            let found: Vec<bool> = before
+                .iter()
+                .zip(&after)
+                .map(|(before, after)| before == after)
+                .collect();
             assert_eq!(found, is_same, "{new}");
         }
     }

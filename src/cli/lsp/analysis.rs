@@ -2,11 +2,11 @@
 
 use super::lines::{Lines, Position, Range};
 use super::memory::{Keys, Memory};
+use crate::claim::{Fault, Sheet, Standing, Verdict};
 use crate::cli::audit_table::{Row, replacements};
 use crate::cli::document::{Form, of_text};
 use crate::cli::source::TOML_AT_MOST;
 use crate::cli::{Failure, Source};
-use crate::claim::{Fault, Sheet, Standing, Verdict};
 use crate::prove;
 use crate::tex::Symbols;
 use serde_json::{Value, json};
@@ -76,7 +76,13 @@ impl Read {
     }
 
     /// Decides the claims. Returns what is shown of them, how many were decided anew, and whether repairs are still to be found.
-    pub fn decide(&self, text: &str, memory: &Memory, options: &prove::Options, repair: bool) -> (Analysis, usize, bool) {
+    pub fn decide(
+        &self,
+        text: &str,
+        memory: &Memory,
+        options: &prove::Options,
+        repair: bool,
+    ) -> (Analysis, usize, bool) {
         let lines = Lines::new(text);
         let mut analysis = Analysis {
             items: Vec::new(),
@@ -84,7 +90,9 @@ impl Read {
         };
         let decided = match &self.sheet {
             Err(fault) => Err(fault.clone()),
-            Ok((sheet, keys)) => memory.decide(sheet, keys, options, repair).map(|decided| (sheet, decided)),
+            Ok((sheet, keys)) => memory
+                .decide(sheet, keys, options, repair)
+                .map(|decided| (sheet, decided)),
         };
         match decided {
             Err(fault) => {
@@ -140,12 +148,24 @@ fn item(sheet: &Sheet, row: &Row, lines: &Lines) -> Option<Item> {
             said.push(format!("{what}: {text}"));
         }
     };
-    say("counterexample", decision.counterexample.as_ref().map(ToString::to_string).unwrap_or_default());
+    say(
+        "counterexample",
+        decision
+            .counterexample
+            .as_ref()
+            .map(ToString::to_string)
+            .unwrap_or_default(),
+    );
     say("provided", decision.provided.join("; "));
     say("read as", decision.readings.join("; "));
     say("reductions", decision.reductions());
     let digits = row.evidence.as_ref().and_then(|evidence| evidence.digits);
-    say("digits", digits.map(|digits| format!("{:.1}", digits.max(0.0))).unwrap_or_default());
+    say(
+        "digits",
+        digits
+            .map(|digits| format!("{:.1}", digits.max(0.0)))
+            .unwrap_or_default(),
+    );
     // the counterexample stands behind the reason
     let shown = 1 + usize::from(decision.counterexample.is_some());
     let message = said.get(..shown).unwrap_or_default().join("\n");

@@ -233,14 +233,8 @@ impl Memory {
     /// way is not kept.
     ///
     /// # Errors
-    /// As of [`judge`].
-    pub fn decide(
-        &self,
-        sheet: &Sheet,
-        keys: &Keys,
-        options: &prove::Options,
-        repair: bool,
-    ) -> Result<Decided, Fault> {
+    /// As of [`judge`], and a token that is stopped.
+    pub fn decide(&self, sheet: &Sheet, keys: &Keys, options: &prove::Options, repair: bool) -> Result<Decided, Fault> {
         let now = {
             let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
             *now += 1;
@@ -249,6 +243,9 @@ impl Memory {
         let token = Token::current();
         let each = |&position: &usize| {
             token.during(|| {
+                if token.is_stopped() {
+                    return Err(Fault::new("stopped"));
+                }
                 let mut is_new = false;
                 let key = |keys: &[u128]| keys.get(position).copied().unwrap_or_default();
                 let known = self.judged.get(key(&keys.alone), now);
@@ -312,15 +309,23 @@ mod tests {
 
     fn csv(rows: &[Row], sheet: &Sheet) -> String {
         let mut bytes = Vec::new();
-        table(rows, sheet, Format::Csv).unwrap().write(&mut bytes, Format::Csv, 12).unwrap();
+        table(rows, sheet, Format::Csv)
+            .unwrap()
+            .write(&mut bytes, Format::Csv, 12)
+            .unwrap();
         String::from_utf8(bytes).unwrap()
     }
 
     /// Holds the rows of a memory against those that are decided anew, and returns how many it has decided.
     fn step(memory: &Memory, text: &str) -> Option<usize> {
         let (sheet, options) = (sheet(text)?, prove::Options::default());
-        let decided = memory.decide(&sheet, &Keys::new(&sheet, &options), &options, true).unwrap();
-        let fresh = sheet.rows().into_par_iter().map(|position| decide(&sheet, position, &options, true).unwrap());
+        let decided = memory
+            .decide(&sheet, &Keys::new(&sheet, &options), &options, true)
+            .unwrap();
+        let fresh = sheet
+            .rows()
+            .into_par_iter()
+            .map(|position| decide(&sheet, position, &options, true).unwrap());
         let mut fresh: Vec<Row> = fresh.collect();
         complete(&sheet, &mut fresh, &options);
         assert_eq!(csv(&decided.rows, &sheet), csv(&fresh, &sheet), "{text}");
@@ -379,7 +384,10 @@ mod tests {
                 ("follows from (2), ", "follows from "),
                 ("% audit: definition", "% audit: claim; follows from \\eqref{sum}"),
                 ("b^2 + c^2 \\end", "b^2 + 2 b c + c^2 \\end"),
-                ("\\begin{equation} a = b + c", "\\begin{equation} d = 1 \\end{equation}\n\\begin{equation} a = b + c"),
+                (
+                    "\\begin{equation} a = b + c",
+                    "\\begin{equation} d = 1 \\end{equation}\n\\begin{equation} a = b + c",
+                ),
                 ("positive m", "positive m; only"),
             ],
         );

@@ -4,12 +4,12 @@ use super::analysis::{Analysis, Read};
 use super::lines::{Position, Range, position};
 use super::memory::Memory;
 use crate::claim;
+use crate::cli::STACK;
 use crate::cli::caller::during;
 use crate::cli::jsonrpc::{
     CONTENT_MODIFIED, Error, Frame, INVALID_REQUEST, Message, NOT_INITIALIZED, Out, PARSE_ERROR, REQUEST_CANCELLED,
     failure, message, notification, success,
 };
-use crate::cli::STACK;
 use crate::prove;
 use crate::stop::Token;
 use serde_json::{Value, json};
@@ -49,7 +49,10 @@ pub fn serve(input: &mut dyn BufRead, output: impl Write + Send + 'static) -> bo
                 },
                 Err(problem) => Error::new(PARSE_ERROR, format!("the message is no JSON: {problem}")),
             },
-            Frame::TooLong => Error::new(INVALID_REQUEST, format!("a message has at most {} MB", LONGEST_MESSAGE >> 20)),
+            Frame::TooLong => Error::new(
+                INVALID_REQUEST,
+                format!("a message has at most {} MB", LONGEST_MESSAGE >> 20),
+            ),
             Frame::NoLength => Error::new(PARSE_ERROR, "a message begins with the header `Content-Length: N`"),
         };
         server.shared.out.send(&failure(&Value::Null, &problem));
@@ -255,7 +258,12 @@ struct Server {
 /// Returns a text of the parameters by its path.
 fn text<'v>(params: &'v Value, path: &str) -> Result<&'v str, Error> {
     let found = params.pointer(path).and_then(Value::as_str);
-    found.ok_or_else(|| Error::params(format!("`{}` should be a string", path.trim_start_matches('/').replace('/', "."))))
+    found.ok_or_else(|| {
+        Error::params(format!(
+            "`{}` should be a string",
+            path.trim_start_matches('/').replace('/', ".")
+        ))
+    })
 }
 
 impl Server {
@@ -338,7 +346,10 @@ impl Server {
         if self.stage != Stage::Running {
             return Ok(());
         }
-        let version = params.pointer("/textDocument/version").and_then(Value::as_i64).unwrap_or_default();
+        let version = params
+            .pointer("/textDocument/version")
+            .and_then(Value::as_i64)
+            .unwrap_or_default();
         match method {
             "textDocument/didOpen" => {
                 let uri = text(&params, "/textDocument/uri")?.to_owned();
@@ -362,9 +373,12 @@ impl Server {
                 let mut state = self.shared.state();
                 if let Some(document) = state.documents.remove(uri) {
                     document.token.stop();
-                    self.shared.refuse(document.waiting, CONTENT_MODIFIED, "the document is closed");
+                    self.shared
+                        .refuse(document.waiting, CONTENT_MODIFIED, "the document is closed");
                     let params = json!({ "uri": uri, "diagnostics": [] });
-                    self.shared.out.send(&notification("textDocument/publishDiagnostics", params));
+                    self.shared
+                        .out
+                        .send(&notification("textDocument/publishDiagnostics", params));
                 }
                 Ok(())
             }
@@ -391,7 +405,8 @@ impl Server {
         };
         if let Some(open) = known {
             open.token.stop();
-            self.shared.refuse(open.waiting, CONTENT_MODIFIED, "the text has changed");
+            self.shared
+                .refuse(open.waiting, CONTENT_MODIFIED, "the text has changed");
         } else if state.documents.len() >= MOST_DOCUMENTS {
             return Err(Error::params(format!("{MOST_DOCUMENTS} documents are open already")));
         }
@@ -447,12 +462,18 @@ fn path_of(uri: &str, language: &str) -> PathBuf {
 
 /// Undoes the escapes of a URI.
 fn decoded(text: &str) -> String {
-    let hex = |byte: Option<&u8>| char::from(*byte?).to_digit(16).and_then(|digit| u8::try_from(digit).ok());
+    let hex = |byte: Option<&u8>| {
+        char::from(*byte?)
+            .to_digit(16)
+            .and_then(|digit| u8::try_from(digit).ok())
+    };
     let (mut bytes, mut rest) = (Vec::new(), text.as_bytes());
     while let Some((&first, behind)) = rest.split_first() {
         let escaped = hex(behind.first()).zip(hex(behind.get(1))).filter(|_| first == b'%');
         bytes.push(escaped.map_or(first, |(high, low)| 16 * high + low));
-        rest = behind.get(if escaped.is_some() { 2.. } else { 0.. }).unwrap_or_default();
+        rest = behind
+            .get(if escaped.is_some() { 2.. } else { 0.. })
+            .unwrap_or_default();
     }
     String::from_utf8_lossy(&bytes).into_owned()
 }

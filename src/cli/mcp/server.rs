@@ -52,7 +52,10 @@ pub fn serve(input: &mut dyn BufRead, output: impl Write + Send + 'static) {
     while let Ok(Some(frame)) = line(input, LONGEST_LINE) {
         match frame {
             Frame::TooLong | Frame::NoLength => {
-                let problem = format!("a message has at most {} MB; give the path of a long file", LONGEST_LINE >> 20);
+                let problem = format!(
+                    "a message has at most {} MB; give the path of a long file",
+                    LONGEST_LINE >> 20
+                );
                 let error = Error::new(INVALID_REQUEST, problem);
                 server.shared.out.send(&failure(&Value::Null, &error));
             }
@@ -236,7 +239,10 @@ impl Server {
         let progress = params.pointer("/_meta/progressToken").cloned();
         let arguments = params.get_mut("arguments").map_or(Value::Null, Value::take);
         let name = params.get("name").and_then(Value::as_str);
-        let call = Call::read(name.ok_or_else(|| Error::params("`name` should name a tool"))?, arguments)?;
+        let call = Call::read(
+            name.ok_or_else(|| Error::params("`name` should name a tool"))?,
+            arguments,
+        )?;
         let token = Token::new();
         let job = Job {
             id: id.clone(),

@@ -1,10 +1,10 @@
 //! The tools: their schemas, their arguments, and their results as text and as data.
 
+use crate::claim::Verdict;
 use crate::cli::audit_table::{Audited, Replacement, Row, replacements, table};
 use crate::cli::caller::{Input, during, line};
 use crate::cli::jsonrpc::Error;
 use crate::cli::{Command, Content, Exit, Failure, Options, audit, outcomes};
-use crate::claim::Verdict;
 use crate::report::{DEFAULT_DIGITS, Format, Table};
 use crate::stop::Token;
 use crate::tex::nearest;
@@ -159,9 +159,7 @@ fn described(name: &str) -> Value {
 fn output(name: &str) -> Option<Value> {
     let string = || json!({ "type": "string" });
     let text_or_null = || json!({ "type": ["string", "null"] });
-    let rows = |properties: Value, required: &[&str]| {
-        json!({ "type": "array", "items": { "type": "object", "properties": properties, "required": required } })
-    };
+    let rows = |properties: Value, required: &[&str]| json!({ "type": "array", "items": { "type": "object", "properties": properties, "required": required } });
     let mut properties = json!({
         "as_expected": { "type": "boolean" },
         "notes": { "type": "array", "items": string() },
@@ -182,9 +180,11 @@ fn output(name: &str) -> Option<Value> {
                 let number = json!({ "type": "integer", "minimum": 1 });
                 json!({ "type": "object", "properties": { "line": number, "column": number }, "required": ["line", "column"] })
             };
-            let edit = json!({ "file": text_or_null(), "start": place(), "end": place(), "old": string(), "new": string() });
+            let edit =
+                json!({ "file": text_or_null(), "start": place(), "end": place(), "old": string(), "new": string() });
             let edits = rows(edit, &["start", "end", "old", "new"]);
-            let repair = json!({ "what": string(), "formulas": { "type": "array", "items": string() }, "edits": edits });
+            let repair =
+                json!({ "what": string(), "formulas": { "type": "array", "items": string() }, "edits": edits });
             let columns = json!({
                 "label": string(), "verdict": string(), "place": text_or_null(), "formula": string(),
                 "reason": string(), "repairs": rows(repair, &["what", "formulas", "edits"]),
@@ -267,7 +267,12 @@ fn path(path: &str) -> String {
 }
 
 /// Returns the last words of a command line that name the formulas or the scene, and the text that stands for standard input.
-fn source(text: Option<&str>, name: Option<&str>, file: Option<&str>, key: &str) -> Result<(Vec<String>, Input), Error> {
+fn source(
+    text: Option<&str>,
+    name: Option<&str>,
+    file: Option<&str>,
+    key: &str,
+) -> Result<(Vec<String>, Input), Error> {
     let input = |name: &str, text: &str| Input {
         name: name.to_owned(),
         text: text.to_owned(),
@@ -305,14 +310,23 @@ impl Call {
         if let Some(unknown) = given.0.keys().find(|key| known().all(|name| name != *key)) {
             let meant = nearest(unknown, known()).map(|near| format!("; did you mean `{near}`?"));
             let there = known().collect::<Vec<_>>().join(", ");
-            let problem = format!("`{tool}` has no argument `{unknown}`{} (there are: {there})", meant.unwrap_or_default());
+            let problem = format!(
+                "`{tool}` has no argument `{unknown}`{} (there are: {there})",
+                meant.unwrap_or_default()
+            );
             return Err(Error::params(problem));
         }
         if let Some(missing) = required.iter().find(|name| !given.0.contains_key(**name)) {
             return Err(Error::params(format!("`{missing}` is missing")));
         }
-        let label = if known().any(|key| key == "label") { given.text("label")? } else { None };
-        let mut words: Vec<String> = ["vibro-audit", command(tool), "--format=json"].map(str::to_owned).to_vec();
+        let label = if known().any(|key| key == "label") {
+            given.text("label")?
+        } else {
+            None
+        };
+        let mut words: Vec<String> = ["vibro-audit", command(tool), "--format=json"]
+            .map(str::to_owned)
+            .to_vec();
         let (last, input) = match tool {
             "check" => {
                 let directory = given.text("directory")?;
@@ -383,7 +397,11 @@ impl Call {
             _ => {
                 let answer = line.answer()?;
                 match answer.content {
-                    Content::Text(text) => Ok(Found { text, data: None, exit: answer.exit }),
+                    Content::Text(text) => Ok(Found {
+                        text,
+                        data: None,
+                        exit: answer.exit,
+                    }),
                     Content::Table(table) => tabled("values", table, answer.exit),
                     Content::Rows(rows) => {
                         let (mut table, token) = (Table::new(rows.columns.clone()), Token::current());
@@ -404,8 +422,15 @@ impl Call {
         for row in &audited.rows {
             *counts.entry(row.decision.verdict.to_string()).or_default() += 1;
         }
-        let said: Vec<String> = counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
-        let end = if exit == Exit::AsExpected { "all as expected" } else { "not all as expected" };
+        let said: Vec<String> = counts
+            .iter()
+            .map(|(verdict, count)| format!("{count} {verdict}"))
+            .collect();
+        let end = if exit == Exit::AsExpected {
+            "all as expected"
+        } else {
+            "not all as expected"
+        };
         let mut text = format!("{} claims: {}; {end}\n", audited.rows.len(), said.join(", "));
         if self.findings_only {
             audited.rows.retain(needs_attention);
@@ -437,7 +462,10 @@ impl Call {
         let rows: Vec<&Row> = audited.rows.iter().filter(is_asked).collect();
         if let (Some(label), []) = (&self.label, rows.as_slice()) {
             let known: Vec<&str> = audited.rows.iter().map(|row| row.decision.label.as_str()).collect();
-            return Err(Failure::Usage(format!("no claim `{label}` (there are: {})", known.join(", "))));
+            return Err(Failure::Usage(format!(
+                "no claim `{label}` (there are: {})",
+                known.join(", ")
+            )));
         }
         let mut text = match rows.len() {
             0 => "No formula is refuted or suspect: there is nothing to repair.\n".to_owned(),
@@ -496,7 +524,10 @@ struct Found {
 
 /// Returns true if an author has something to do about a row.
 fn needs_attention(row: &Row) -> bool {
-    let is_open = matches!(row.decision.verdict, Verdict::Undecided | Verdict::Unread | Verdict::Conditional);
+    let is_open = matches!(
+        row.decision.verdict,
+        Verdict::Undecided | Verdict::Unread | Verdict::Conditional
+    );
     let is_against = row.evidence.as_ref().is_some_and(|evidence| evidence.against.is_some());
     !row.is_expected() || is_open || is_against
 }
@@ -537,5 +568,8 @@ fn error(problem: &str, notes: &[String]) -> Value {
 
 /// The result of a call that ended in a panic.
 pub fn fault() -> Value {
-    error("the computation ended in a panic: this is a fault of vibro-audit, please report it with the call", &[])
+    error(
+        "the computation ended in a panic: this is a fault of vibro-audit, please report it with the call",
+        &[],
+    )
 }
