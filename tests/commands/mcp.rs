@@ -232,7 +232,7 @@ fn the_results_of_all_tools_are_as_their_schemas_say() {
         (
             "audit",
             json!({ "path": "fall.tex" }),
-            "1 claims: 1 refuted; not all as expected",
+            "1 claim: 1 refuted; not all as expected",
         ),
         (
             "audit",
@@ -298,6 +298,22 @@ fn an_assistant_finds_an_error_repairs_it_and_audits_again() {
     let found = client.call("audit", json!({ "text": mended, "name": "fall.tex" }));
     assert_eq!(found["structuredContent"]["formulas"][0]["verdict"], "proved");
     assert_eq!(found["structuredContent"]["as_expected"], true);
+    // the guide shows this session
+    let page = include_str!("../../doc/editors.md");
+    let own = page.split("```tex\n").nth(1).and_then(|rest| rest.split("```").next());
+    let own = own.expect("a document");
+    let mended = own.replace("v^2 = g (H - h)", r"v^2 = 2 g \cdot (H - h)");
+    let shown: Vec<&str> = page.lines().filter(|line| line.starts_with("assistant ")).collect();
+    assert_eq!(shown.len(), 3);
+    for (line, text) in shown.into_iter().zip([own, own, &mended]) {
+        let parts: Vec<&str> = line.split("  ").filter(|part| !part.is_empty()).collect();
+        let (tool, result) = (parts[1].trim(), parts.last().expect("a result"));
+        let found = client.call(tool, json!({ "text": text, "name": "fall.tex" }));
+        let said = found["content"][0]["text"].as_str().unwrap();
+        for part in result.split("; ") {
+            assert!(said.contains(part.trim()), "`{part}` is not in {said}");
+        }
+    }
     let none = client.call("repair", json!({ "text": mended, "name": "fall.tex" }));
     assert!(
         none["content"][0]["text"]

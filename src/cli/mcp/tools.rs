@@ -431,7 +431,8 @@ impl Call {
         } else {
             "not all as expected"
         };
-        let mut text = format!("{} claims: {}; {end}\n", audited.rows.len(), said.join(", "));
+        let claims = if audited.rows.len() == 1 { "claim" } else { "claims" };
+        let mut text = format!("{} {claims}: {}; {end}\n", audited.rows.len(), said.join(", "));
         if self.findings_only {
             audited.rows.retain(needs_attention);
         }
