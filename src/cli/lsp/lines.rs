@@ -17,7 +17,7 @@ pub struct Range {
 }
 
 impl<'t> Lines<'t> {
-    /// Splits a text at `\n`, `\r\n` and `\r`.
+    /// Splits a text at `\n` and `\r\n`.
     pub fn new(text: &'t str) -> Self {
         let lines = text.split('\n').map(|line| line.strip_suffix('\r').unwrap_or(line));
         Self(lines.collect())

@@ -27,7 +27,7 @@ const WITH_BATCHES: &str = "2025-03-26";
 const LONGEST_LINE: usize = 32 << 20;
 
 /// The calls that may wait for the one that runs.
-const MOST_CALLS: usize = 64;
+const MOST_CALLS: usize = 16;
 
 /// The time between two notifications of progress.
 const PAUSE: Duration = Duration::from_millis(100);
