@@ -1,7 +1,7 @@
 //! A program that asks in place of a shell: what it gives stands for stdin, and what stderr would say it is told.
 
 use super::answer::Copied;
-use super::{Content, Exit, Failure, Line, described};
+use super::{Command, Content, Exit, Failure, Line, described};
 use crate::report::{Column, Frame, Page, Part, Table, Values};
 use crate::stop::Token;
 use std::cell::RefCell;
@@ -99,6 +99,11 @@ pub(super) fn quietly<R>(work: impl FnOnce() -> R) -> R {
 /// A command line or an input that cannot be used, and more than memory should hold.
 pub fn ask(arguments: impl IntoIterator<Item = OsString>, input: Option<Input>) -> Result<Reply, Failure> {
     let line = line(arguments)?;
+    if matches!(line.command, Some(Command::Lsp(_) | Command::Mcp(_))) {
+        return Err(Failure::Usage(
+            "a server has standard input and output for itself: start it from a command line".to_owned(),
+        ));
+    }
     let (reply, notes) = during(input, || reply(&line));
     Ok(Reply { notes, ..reply? })
 }
@@ -232,6 +237,13 @@ mod tests {
             failure.to_string().contains("'many'") && !failure.to_string().contains("--help"),
             "{failure}"
         );
+    }
+
+    #[test]
+    fn servers_are_refused() {
+        for server in ["lsp", "mcp"] {
+            assert!(asked(server, None).unwrap_err().to_string().contains("command line"));
+        }
     }
 
     #[test]
