@@ -62,7 +62,8 @@ pub fn complete(sheet: &Sheet, rows: &mut [Row], options: &prove::Options) {
     mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
 }
 
-/// Counts the rows of a document without comments by their verdicts, in the order in which their author wants to see them.
+/// Counts the rows of a document without comments by their verdicts, in the order in which their author wants
+/// to see them.
 fn summary(rows: &[Row]) -> String {
     let order = ["suspect", "proved", "conditional", "given", "undecided", "unread"];
     let counts = order.into_iter().filter_map(|verdict| {

@@ -125,7 +125,7 @@ fn hello(version: &str) -> Value {
     json!({ "protocolVersion": version, "capabilities": {}, "clientInfo": client })
 }
 
-/// What is wrong with a value by the part of JSON Schema that the tools use.
+/// Returns the first mismatch of a value by the part of JSON Schema that the tools use.
 fn mismatch(value: &Value, schema: &Value, path: &str) -> Option<String> {
     let kinds: Vec<&str> = match &schema["type"] {
         Value::String(kind) => vec![kind],

@@ -41,7 +41,8 @@ impl Write for Fingerprint {
 }
 
 impl Sheet {
-    /// Returns a fingerprint of each entry: of everything that is printed and read of it but its place in the file and the positions of what
+    /// Returns a fingerprint of each entry: of everything that is printed and read of it but its place in the
+    /// file and the positions of what
     /// it follows from, which depend on other entries.
     pub fn fingerprints(&self) -> Vec<Fingerprint> {
         let printed = self

@@ -1,4 +1,4 @@
-//! What an editor shows of a text: diagnostics, hovers, and repairs as edits.
+//! The view of a text in an editor: diagnostics, hovers, and repairs as edits.
 
 use super::lines::{Lines, Position, Range};
 use super::memory::{Keys, Memory};
@@ -31,7 +31,7 @@ struct Fix {
     edits: Vec<(Range, String)>,
 }
 
-/// What is shown of one version of a text.
+/// The view of one version of a text.
 #[derive(Debug, Default)]
 pub struct Analysis {
     items: Vec<Item>,
@@ -75,7 +75,8 @@ impl Read {
         Ok(Some(Self { sheet, faults }))
     }
 
-    /// Decides the claims. Returns what is shown of them, how many were decided anew, and whether repairs are still to be found.
+    /// Decides the claims. Returns what is shown of them, how many were decided anew, and whether repairs are
+    /// still to be found.
     pub fn decide(
         &self,
         text: &str,

@@ -19,10 +19,12 @@ const MOST_KEPT: usize = 20_000;
 
 /// Keys of the claims of a sheet.
 pub struct Keys {
-    /// A key of all that a verdict depends on: the claim and what it follows from, over any number of steps, as printed and as read;
+    /// A key of all that a verdict depends on: the claim and what it follows from, over any number of steps, as
+    /// printed and as read;
     /// what is declared of the names in them; the names that definitions give; and the options.
     alone: Vec<u128>,
-    /// A key of all that repairs depend on too: the entries around the claim, the laws before it, and which names there are.
+    /// A key of all that repairs depend on too: the entries around the claim, the laws before it, and which
+    /// names there are.
     near: Vec<u128>,
 }
 
@@ -229,11 +231,12 @@ pub struct Decided {
 }
 
 impl Memory {
-    /// Decides the claims of a sheet on all cores, with the repairs of refuted ones where they are asked for. What is stopped on the
+    /// Decides the claims of a sheet on all cores, with the repairs of refuted ones where they are asked for.
+    /// What is stopped on the
     /// way is not kept.
     ///
     /// # Errors
-    /// As of [`judge`], and a token that is stopped.
+    /// The faults of [`judge`], and a token that is stopped.
     pub fn decide(&self, sheet: &Sheet, keys: &Keys, options: &prove::Options, repair: bool) -> Result<Decided, Fault> {
         let now = {
             let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);

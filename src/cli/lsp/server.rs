@@ -74,7 +74,7 @@ struct Waiting {
     asked: Asked,
 }
 
-/// What a request asks of a document.
+/// The question of a request about a document.
 #[derive(Clone, Copy)]
 enum Asked {
     Hover(Position),
@@ -122,7 +122,8 @@ impl Shared {
         }
     }
 
-    /// Publishes the analysis of a version, unless there is a later one, and answers what waits for it. Returns true if it was.
+    /// Publishes the analysis of a version, unless there is a later one, and answers what waits for it. Returns
+    /// true if it was.
     fn publish(&self, job: &Job, analysis: Analysis, is_whole: bool) -> bool {
         let mut state = self.state();
         let has_versions = state.has_versions;
@@ -241,7 +242,7 @@ fn analyse(shared: &Shared, job: &Job) {
     }
 }
 
-/// How far the handshake is.
+/// The stage of the handshake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     New,
@@ -440,7 +441,8 @@ fn capabilities() -> Value {
     })
 }
 
-/// Returns the path of the file that a URI names; of a text that is not saved yet, a name with the ending of its language.
+/// Returns the path of the file that a URI names; of a text that is not saved yet, a name with the ending of
+/// its language.
 fn path_of(uri: &str, language: &str) -> PathBuf {
     let ending = match language {
         "latex" | "tex" | "plaintex" | "context" => "tex",

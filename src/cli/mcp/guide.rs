@@ -3,12 +3,12 @@
 use serde_json::{Value, json};
 
 /// Instructions for an assistant, with the grammar of comments in short. A test runs their examples.
-pub const INSTRUCTIONS: &str = r#"vibro-audit decides whether a formula of TeX follows from its premises, with proof or counterexample.
+pub const INSTRUCTIONS: &str = r#"vibro-audit decides if a formula of TeX follows from its premises.
 
 How to work:
 1. Call `audit` with the text of a document and its name (paper.tex, notes.md, fall.toml), or with the path of a file.
-2. Where the document lacks comments, all is guessed and nothing is refuted. Write comments that say what each formula is,
-   and audit again. The column `reason` says what a row needs.
+2. Where the document lacks comments, all is guessed and nothing is refuted. Write comments that say what each formula
+   is, and audit again. The column `reason` says what a row needs.
 3. `explain` prints the proof or the counterexample of one formula.
 4. `repair` gives edits that make a refuted formula provable. Apply one, and audit again: it is `proved` then.
 
@@ -16,8 +16,8 @@ Verdicts: `proved`; `refuted` (at the values in `counterexample` every premise h
 (neither was found; never a pass; `effort` searches further); `unread` (`reason` says why); and in documents without
 comments `given` (a definition or a law), `suspect` (a likely misprint) and `conditional`.
 
-Comments that do not print: `% audit: ...` in TeX, `<!-- audit: ... -->` in Markdown; on the line of the display or before it;
-keys are separated by `;`:
+Comments that do not print: `% audit: ...` in TeX, `<!-- audit: ... -->` in Markdown; on the line of the display
+or before it; keys are separated by `;`:
   symbols a, b; positive m, g      once: declares letters; also `states`, `indices n`, `functions F' = f`
   claim | premise | definition     the role of the formula; `skip` leaves it out; `default claim` is said once for all
   follows from (9), \eqref{fall}   what a claim follows from; a claim without it is an identity

@@ -25,7 +25,8 @@ fn formulas() -> Map<String, Value> {
     object(json!({
         "text": {
             "type": "string",
-            "description": "The whole text of a document (TeX or Markdown) or of a sheet (TOML). Give `text` or `path`.",
+            "description": "The whole text of a document (TeX or Markdown) or of a sheet (TOML). Give `text` or \
+                            `path`.",
         },
         "name": {
             "type": "string",
@@ -58,10 +59,14 @@ fn arguments(name: &str) -> (Map<String, Value>, &'static [&'static str]) {
     match name {
         "audit" => {
             let more = json!({
-                "repair": { "type": "boolean", "description": "Also look for repairs of refuted formulas (column `repair`). Default: false." },
+                "repair": {
+                    "type": "boolean",
+                    "description": "Also look for repairs of refuted formulas (column `repair`). Default: false.",
+                },
                 "findings_only": {
                     "type": "boolean",
-                    "description": "Return only the rows that need attention: unexpected, undecided or unread. Default: false.",
+                    "description": "Return only the rows that need attention: unexpected, undecided or unread. \
+                                    Default: false.",
                 },
             });
             (with(more), &[])
@@ -72,7 +77,10 @@ fn arguments(name: &str) -> (Map<String, Value>, &'static [&'static str]) {
         }
         "repair" => {
             let label = json!({
-                "label": { "type": "string", "description": "Repair this formula alone. Default: each that is refuted or suspect." },
+                "label": {
+                    "type": "string",
+                    "description": "Repair this formula alone. Default: each that is refuted or suspect.",
+                },
             });
             (with(label), &[])
         }
@@ -80,21 +88,31 @@ fn arguments(name: &str) -> (Map<String, Value>, &'static [&'static str]) {
             let directory = json!({
                 "directory": {
                     "type": "string",
-                    "description": "A directory with printed.csv. Default: the values of the built-in paper, which take about a minute.",
+                    "description": "A directory with printed.csv. Default: the values of the built-in paper, which \
+                                    take about a minute.",
                 },
             });
             (object(directory), &[])
         }
         _ => {
             let scene = json!({
-                "text": { "type": "string", "description": "A scene in TOML, as \"[motion]\\ng = 0.122\\nd = 0.4\\nr_b = 0.5\\nr_t = 0.5\\n\". Give `text` or `scene`." },
-                "scene": { "type": "string", "description": "The name of a built-in scene, as fig02, or the path of a file." },
+                "text": {
+                    "type": "string",
+                    "description": "A scene in TOML, as \"[motion]\\ng = 0.122\\nd = 0.4\\nr_b = 0.5\\nr_t = 0.5\\n\". Give `text` or `scene`.",
+                },
+                "scene": {
+                    "type": "string",
+                    "description": "The name of a built-in scene, as fig02, or the path of a file.",
+                },
                 "set": {
                     "type": "array",
                     "items": { "type": "string" },
                     "description": "Changes of keys, as [\"motion.d=0.3\"].",
                 },
-                "digits": { "type": "integer", "minimum": 1, "maximum": 10_000, "description": "Significant digits to compute." },
+                "digits": {
+                    "type": "integer", "minimum": 1, "maximum": 10_000,
+                    "description": "Significant digits to compute.",
+                },
             });
             (object(scene), &[])
         }
@@ -159,7 +177,10 @@ fn described(name: &str) -> Value {
 fn output(name: &str) -> Option<Value> {
     let string = || json!({ "type": "string" });
     let text_or_null = || json!({ "type": ["string", "null"] });
-    let rows = |properties: Value, required: &[&str]| json!({ "type": "array", "items": { "type": "object", "properties": properties, "required": required } });
+    let rows = |properties: Value, required: &[&str]| {
+        let row = json!({ "type": "object", "properties": properties, "required": required });
+        json!({ "type": "array", "items": row })
+    };
     let mut properties = json!({
         "as_expected": { "type": "boolean" },
         "notes": { "type": "array", "items": string() },
@@ -266,7 +287,8 @@ fn path(path: &str) -> String {
     if path == "-" { "./-".to_owned() } else { path.to_owned() }
 }
 
-/// Returns the last words of a command line that name the formulas or the scene, and the text that stands for standard input.
+/// Returns the last words of a command line that name the formulas or the scene, and the text that stands for
+/// standard input.
 fn source(
     text: Option<&str>,
     name: Option<&str>,
