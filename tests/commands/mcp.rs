@@ -167,10 +167,14 @@ const FALL: &str = r"% audit: symbols E, v, h, H; positive m, g
 \begin{equation} v^2 = g (H - h) \end{equation}  % audit: claim; follows from \eqref{energy}, \eqref{rest}
 ";
 
-/// A claim that is not decided in any time that a test waits for.
-const LONG: &str = r"% audit: symbols a, b, c, d, e, f
-% audit: claim; assume a > 0, b > 0, c > 0, d > 0, e > 0, f > 0
-\begin{equation} (a^7 + b^7 + c^7 + d^7 + e^7 + f^7 + a b c d e f) (a + b) \ge 6 a b c d e f (c^3 - d^3 + a b - e f) \end{equation}
+/// A scene whose motions take far longer to find than a test waits.
+const LONG: &str = "words = ['BBBTTT', 'BBTBTT', 'BBTTBT', 'BTTTTT', 'BBBBBT']
+max_periods = 64
+[motion]
+g = 0.122
+d = 0.4
+r_b = 0.5
+r_t = 0.5
 ";
 
 #[test]
@@ -478,8 +482,8 @@ fn a_huge_line_is_refused_and_the_next_one_is_read() {
 fn a_call_is_cancelled_while_the_server_goes_on_answering() {
     let scratch = scratch("cancel");
     let mut client = Client::ready(&scratch);
-    let arguments = json!({ "text": LONG, "name": "a.tex", "effort": 1_000_000 });
-    let long = client.request("tools/call", json!({ "name": "audit", "arguments": arguments }));
+    let arguments = json!({ "text": LONG });
+    let long = client.request("tools/call", json!({ "name": "orbits", "arguments": arguments }));
     assert_eq!(client.result("ping", json!({})), json!({}));
     // one behind it that never begins
     let waiting = client.request(
