@@ -222,7 +222,7 @@ pub struct Memory {
     now: Mutex<u64>,
 }
 
-/// The rows of a sheet, and how many claims were decided for them.
+/// The rows of a sheet, and how many claims that can be read were decided for them.
 pub struct Decided {
     pub rows: Vec<Row>,
     pub anew: usize,
@@ -255,10 +255,10 @@ impl Memory {
                 let judged = match known {
                     Some(judged) => judged.moved(sheet, position),
                     None => {
-                        is_new = true;
                         let judged = judge(sheet, position, options)?;
+                        is_new = judged.verdict() != Verdict::Unread;
                         // the place of what cannot be read may be another
-                        if judged.verdict() != Verdict::Unread && !token.is_stopped() {
+                        if is_new && !token.is_stopped() {
                             self.judged.keep(key(&keys.alone), &judged, now);
                         }
                         judged
