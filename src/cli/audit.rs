@@ -127,23 +127,42 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         tell_gone(&mut all, baseline, source)?;
     }
     for (audited, document) in &mut all {
-        worst = worst.or_worse(exit(&audited.rows));
-        if let (Some(document), Some(source)) = (document, &audited.source) {
-            let (numbers, wrong) = document::numbers(document, source, global);
-            let is_expected = numbers.iter().all(Outcome::is_expected);
-            let mut wrong = [document::unusable(document, source), wrong].concat();
-            let is_usable = wrong.is_empty();
-            worst = worst.or_worse(if is_usable {
-                Exit::from_verdict(is_expected)
-            } else {
-                Exit::Unusable
-            });
-            unusable.append(&mut wrong);
-            audited.numbers = numbers;
-        }
+        let (exit, mut wrong) = check_numbers(audited, document.as_ref(), global);
+        worst = worst.or_worse(exit);
+        unusable.append(&mut wrong);
     }
     let all: Vec<Audited> = all.into_iter().map(|(audited, _)| audited).collect();
     answer(&all, &unusable, sheets.len() > 1, worst, &options, global)
+}
+
+/// Checks the numbers that a document prints. Returns the exit status of all that is decided, and what cannot be used.
+fn check_numbers(audited: &mut Audited, document: Option<&Document>, global: &Options) -> (Exit, Vec<Unusable>) {
+    let status = exit(&audited.rows);
+    let (Some(document), Some(source)) = (document, &audited.source) else {
+        return (status, Vec::new());
+    };
+    let (numbers, wrong) = document::numbers(document, source, global);
+    let is_expected = numbers.iter().all(Outcome::is_expected);
+    let wrong = [document::unusable(document, source), wrong].concat();
+    let of_numbers = match wrong.is_empty() {
+        true => Exit::from_verdict(is_expected),
+        false => Exit::Unusable,
+    };
+    audited.numbers = numbers;
+    (status.or_worse(of_numbers), wrong)
+}
+
+/// Decides all of the one sheet or document that is named, and checks the numbers that it prints.
+///
+/// # Errors
+/// Input that cannot be used.
+pub fn decided(arguments: &Arguments, global: &Options) -> Result<(Audited, Exit), Failure> {
+    let form = ProofForm::of(global.format, false)?;
+    let sources = arguments.sources()?;
+    let symbols = claim::vocabulary().map_err(|fault| in_sheet(PAPER, fault))?;
+    let (mut audited, document) = arguments.audited(sources.first(), &symbols, global, form)?;
+    let (exit, _) = check_numbers(&mut audited, document.as_ref(), global);
+    Ok((audited, exit))
 }
 
 /// How errors name the built-in sheet.

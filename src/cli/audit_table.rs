@@ -86,7 +86,8 @@ impl Row {
         )
     }
 
-    fn reason(&self) -> String {
+    /// Returns the reason of the verdict, with what repairs and evidence say.
+    pub fn reason(&self) -> String {
         let mut reason = self.decision.reason.clone();
         if let Some(repair) = self.repairs().first() {
             reason = format!("{reason}; {}", repair.words());
@@ -313,6 +314,45 @@ impl Unusable {
     }
 }
 
+/// Text of the source in place of other text, between places of line and column, from 1.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Replacement {
+    pub start: (usize, usize),
+    /// The place behind the last character.
+    pub end: (usize, usize),
+    pub old: String,
+    pub new: String,
+}
+
+/// Returns a repair of the claim at a position as edits of the file in which it stands; nothing where what stands there is not
+/// the formula that was read.
+pub fn replacements(sheet: &Sheet, position: usize, repair: &Repair) -> Option<Vec<Replacement>> {
+    let entry = sheet.entries.get(position)?;
+    let mut replacements = Vec::new();
+    for (place, mended) in &repair.mended {
+        let (equation, source): (&Equation, &Source) = match place {
+            Place::Stated(n) => (entry.equations.get(*n)?, &entry.tex),
+            Place::Definition(n) => entry.local.get(*n).map(|(equation, source)| (equation, source))?,
+        };
+        let (start, end) = (equation.at.0, equation.end.0);
+        // a link of a chain shares a side with another; a definition has a text of its own
+        let shares = |other: &Equation| {
+            let is_beside = matches!(place, Place::Stated(_)) && !std::ptr::eq(other, equation);
+            is_beside && other.at.0 < end && start < other.end.0
+        };
+        if source.file != entry.tex.file || entry.equations.iter().any(shares) || end <= start {
+            return None;
+        }
+        replacements.push(Replacement {
+            start: source.place_of(start)?,
+            end: source.place_of(end)?,
+            old: source.tex.get(start..end)?.to_owned(),
+            new: mended.to_string(),
+        });
+    }
+    (!replacements.is_empty()).then_some(replacements)
+}
+
 /// The verdict on what cannot be used.
 const UNUSABLE: &str = "unusable";
 
@@ -475,28 +515,13 @@ impl Audited {
         }
     }
 
-    /// A repair as edits of the source: nothing where what stands there is not the formula that was read.
+    /// Returns a repair as edits of the source; nothing where what stands there is not the formula that was read.
     fn fix(&self, row: &Row, repair: &Repair) -> Option<Fix> {
-        let entry = self.sheet.entries.get(row.position)?;
-        let mut replacements = Vec::new();
-        for (place, mended) in &repair.mended {
-            let (equation, source): (&Equation, &Source) = match place {
-                Place::Stated(n) => (entry.equations.get(*n)?, &entry.tex),
-                Place::Definition(n) => entry.local.get(*n).map(|(equation, source)| (equation, source))?,
-            };
-            let (start, end) = (equation.at.0, equation.end.0);
-            // a link of a chain shares a side with another; a definition has a text of its own
-            let shares = |other: &Equation| {
-                let is_beside = matches!(place, Place::Stated(_)) && !std::ptr::eq(other, equation);
-                is_beside && other.at.0 < end && start < other.end.0
-            };
-            if source.file != entry.tex.file || entry.equations.iter().any(shares) || end <= start {
-                return None;
-            }
-            replacements.push(([source.place_of(start)?, source.place_of(end)?], mended.to_string()));
-        }
-        let words = repair.words();
-        (!replacements.is_empty()).then_some(Fix { words, replacements })
+        let replacements = replacements(&self.sheet, row.position, repair)?.into_iter();
+        Some(Fix {
+            words: repair.words(),
+            replacements: replacements.map(|own| ([own.start, own.end], own.new)).collect(),
+        })
     }
 
     fn number(&self, outcome: &Outcome) -> Finding {

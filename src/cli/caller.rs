@@ -1,7 +1,7 @@
 //! A program that asks in place of a shell: what it gives stands for stdin, and what stderr would say it is told.
 
 use super::answer::Copied;
-use super::{Content, Exit, Failure, Line, described};
+use super::{Command, Content, Exit, Failure, Line, described};
 use crate::report::{Column, Frame, Page, Part, Table, Values};
 use crate::stop::Token;
 use std::cell::RefCell;
@@ -69,7 +69,8 @@ impl Drop for Before {
     }
 }
 
-fn during<R>(input: Option<Input>, work: impl FnOnce() -> R) -> (R, Vec<String>) {
+/// Runs `work` with `input` in place of stdin, and returns what stderr would say with its result.
+pub(super) fn during<R>(input: Option<Input>, work: impl FnOnce() -> R) -> (R, Vec<String>) {
     let notes = Vec::new();
     let _before = Before(CALLER.replace(Some(Caller { input, notes })));
     let found = work();
@@ -97,14 +98,27 @@ pub(super) fn quietly<R>(work: impl FnOnce() -> R) -> R {
 /// # Errors
 /// A command line or an input that cannot be used, and more than memory should hold.
 pub fn ask(arguments: impl IntoIterator<Item = OsString>, input: Option<Input>) -> Result<Reply, Failure> {
-    let line = Line::read(arguments).map_err(|error| {
+    let line = line(arguments)?;
+    if matches!(line.command, Some(Command::Lsp(_) | Command::Mcp(_))) {
+        return Err(Failure::Usage(
+            "a server has standard input and output for itself: start it from a command line".to_owned(),
+        ));
+    }
+    let (reply, notes) = during(input, || reply(&line));
+    Ok(Reply { notes, ..reply? })
+}
+
+/// Reads a command line, the program's name first.
+///
+/// # Errors
+/// A command line that cannot be used, in one sentence.
+pub(super) fn line(arguments: impl IntoIterator<Item = OsString>) -> Result<Line, Failure> {
+    Line::read(arguments).map_err(|error| {
         let text = error.to_string();
         let said = text.strip_prefix("error: ").unwrap_or(&text);
         // what follows tells how to type a command
         Failure::Usage(said.split("\n\n").next().unwrap_or_default().trim_end().to_owned())
-    })?;
-    let (reply, notes) = during(input, || reply(&line));
-    Ok(Reply { notes, ..reply? })
+    })
 }
 
 fn reply(line: &Line) -> Result<Reply, Failure> {
@@ -223,6 +237,13 @@ mod tests {
             failure.to_string().contains("'many'") && !failure.to_string().contains("--help"),
             "{failure}"
         );
+    }
+
+    #[test]
+    fn servers_are_refused() {
+        for server in ["lsp", "mcp"] {
+            assert!(asked(server, None).unwrap_err().to_string().contains("command line"));
+        }
     }
 
     #[test]

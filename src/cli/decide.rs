@@ -5,9 +5,9 @@ use super::audit_table::{Row, table};
 use super::progress::Progress;
 use super::{Failure, note};
 use crate::claim::{self, Fault, Rule, Sheet, Verdict};
-use crate::evidence::witness_near;
-use crate::prove::{self, mention_refuted, settle_second_values};
-use crate::repair::repairs;
+use crate::evidence::{Evidence, witness_near};
+use crate::prove::{self, Decision, mention_refuted, settle_second_values};
+use crate::repair::{Repairs, repairs};
 use crate::report::{Format, Table};
 use crate::stop::Token;
 use crate::tex::{Equation, Tree, any_side, is_opaque};
@@ -37,9 +37,7 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
         name: name.to_owned(),
         fault: Box::new(fault),
     })?;
-    settle_second_values(rows.iter_mut().map(|row| &mut row.decision));
-    clear_links_behind_suspects(sheet, &mut rows, options);
-    mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
+    complete(sheet, &mut rows, options);
     if rows.iter().any(|row| row.expected().is_none()) {
         note(&format!("{name}: {}", summary(&rows)));
         return Ok(rows);
@@ -57,7 +55,15 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
     Ok(rows)
 }
 
-/// Counts the rows of a document without comments by their verdicts, in the order in which their author wants to see them.
+/// Completes rows that were decided one by one with what they say of each other.
+pub fn complete(sheet: &Sheet, rows: &mut [Row], options: &prove::Options) {
+    settle_second_values(rows.iter_mut().map(|row| &mut row.decision));
+    clear_links_behind_suspects(sheet, rows, options);
+    mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
+}
+
+/// Counts the rows of a document without comments by their verdicts, in the order in which their author wants
+/// to see them.
 fn summary(rows: &[Row]) -> String {
     let order = ["suspect", "proved", "conditional", "given", "undecided", "unread"];
     let counts = order.into_iter().filter_map(|verdict| {
@@ -119,9 +125,89 @@ fn has_opaque_symbols(equation: &Equation) -> bool {
     )
 }
 
+/// The verdict on a claim before its repairs are looked for.
+#[derive(Clone)]
+pub struct Judged {
+    decision: Decision,
+    evidence: Option<Evidence>,
+    /// The decision on the formula by itself, where it may be misprinted.
+    accused: Option<Decision>,
+}
+
+impl Judged {
+    /// Returns true if the verdict may depend on the formulas around the claim: they say whether it is a misprint.
+    pub fn is_accused(&self) -> bool {
+        self.accused.is_some()
+    }
+
+    /// Returns true if numbers speak against the formula with the premises that are guessed.
+    fn differs(&self) -> bool {
+        self.evidence.as_ref().is_some_and(|evidence| evidence.differs)
+    }
+
+    /// Returns the verdict so far.
+    pub fn verdict(&self) -> Verdict {
+        self.decision.verdict
+    }
+
+    /// Returns the row with the repairs that were found; an accused formula that has some is suspect.
+    pub fn row(mut self, position: usize, repairs: Option<Repairs>) -> Row {
+        if let Some(own) = self.accused.filter(|_| repairs.is_some()) {
+            self.decision = own;
+            self.decision.suspect();
+        }
+        Row {
+            position,
+            decision: self.decision,
+            evidence: self.evidence,
+            repairs,
+            is_known: None,
+        }
+    }
+
+    /// Moves the verdict to the place of the claim at a position, which says the same elsewhere.
+    pub fn moved(mut self, sheet: &Sheet, position: usize) -> Self {
+        let place = Decision::of(sheet, position).place;
+        self.decision.place = place;
+        if let Some(own) = &mut self.accused {
+            own.place = place;
+        }
+        self
+    }
+}
+
 /// Decides the claim at a position of a sheet.
 pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool) -> Result<Row, Fault> {
-    let mut decision = prove::decide(sheet, position, options);
+    let judged = judge(sheet, position, options)?;
+    let repairs = mend(sheet, position, options, &judged, repair);
+    Ok(judged.row(position, repairs))
+}
+
+/// Finds the repairs of a claim: where they are asked for and it is refuted, and where it may be misprinted.
+pub fn mend(
+    sheet: &Sheet,
+    position: usize,
+    options: &prove::Options,
+    judged: &Judged,
+    repair: bool,
+) -> Option<Repairs> {
+    if judged.verdict() == Verdict::Refuted && repair {
+        return Some(repairs(sheet, position, options));
+    }
+    if !judged.is_accused() {
+        return None;
+    }
+    // the premises are a guess: the formula may be mended without them
+    let by_itself = (judged.decision.fails || judged.differs()).then(|| sheet.resting_on_nothing(position));
+    let by_itself = by_itself.flatten();
+    let mut sheets = std::iter::once(sheet).chain(&by_itself);
+    let find = |sheet: &Sheet| misprints(sheet, position, repairs(sheet, position, options), options);
+    sheets.find_map(find)
+}
+
+/// Decides the claim at a position of a sheet without looking for repairs.
+pub fn judge(sheet: &Sheet, position: usize, options: &prove::Options) -> Result<Judged, Fault> {
+    let decision = prove::decide(sheet, position, options);
     let is_judged = !matches!(decision.verdict, Verdict::Unread | Verdict::Given);
     // sums and means that are symbols have any value at a point
     let is_linear = decision.verdict == Verdict::Proved && decision.rules.contains(&Rule::Words);
@@ -146,35 +232,19 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
             )
         })
         .transpose()?;
-    let entry = sheet.entries.get(position);
-    let repairs = match decision.verdict {
-        Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
-        Verdict::Undecided | Verdict::Given => {
-            // the premises are a guess: where numbers speak against the formula with them, it may fail and be mended without them
-            let differs = evidence.as_ref().is_some_and(|evidence| evidence.differs);
-            let by_itself = (decision.fails || differs).then(|| sheet.resting_on_nothing(position));
-            let by_itself = by_itself.flatten();
-            let own = match (&by_itself, decision.fails) {
-                (Some(sheet), false) => prove::decide(sheet, position, options),
-                _ => decision.clone(),
-            };
-            let mut sheets = std::iter::once(sheet).chain(&by_itself);
-            let find = |sheet: &Sheet| misprints(sheet, position, repairs(sheet, position, options), options);
-            let is_accused = entry.is_some_and(|entry| may_be_misprinted(entry, &own));
-            let found = is_accused.then(|| sheets.find_map(find)).flatten();
-            if found.is_some() {
-                decision = own;
-                decision.suspect();
-            }
-            found
-        }
-        _ => None,
-    };
-    Ok(Row {
-        position,
+    let mut judged = Judged {
         decision,
         evidence,
-        repairs,
-        is_known: None,
-    })
+        accused: None,
+    };
+    if let (Verdict::Undecided | Verdict::Given, Some(entry)) = (judged.verdict(), sheet.entries.get(position)) {
+        // the premises are a guess: where numbers speak against the formula with them, it may fail without them
+        let by_itself = judged.differs().then(|| sheet.resting_on_nothing(position)).flatten();
+        let own = match (&by_itself, judged.decision.fails) {
+            (Some(sheet), false) => prove::decide(sheet, position, options),
+            _ => judged.decision.clone(),
+        };
+        judged.accused = may_be_misprinted(entry, &own).then_some(own);
+    }
+    Ok(judged)
 }

@@ -19,8 +19,11 @@ mod exit;
 mod failure;
 mod files;
 mod golden;
+mod jsonrpc;
+mod lsp;
 mod man;
 mod map;
+mod mcp;
 mod mended;
 mod merge;
 #[cfg(test)]
@@ -169,6 +172,8 @@ enum Command {
     Problems(problems::Arguments),
     Score(score::Arguments),
     Stress(stress::Arguments),
+    Lsp(lsp::Arguments),
+    Mcp(mcp::Arguments),
     Completions(completions::Arguments),
     Man(man::Arguments),
 }
@@ -194,6 +199,8 @@ impl Command {
             Self::Problems(arguments) => problems::run(arguments, options),
             Self::Score(arguments) => score::run(arguments, options),
             Self::Stress(arguments) => stress::run(arguments, options),
+            Self::Lsp(arguments) => lsp::run(arguments),
+            Self::Mcp(arguments) => mcp::run(arguments),
             Self::Completions(arguments) => completions::run(arguments, Line::grammar()),
             Self::Man(arguments) => man::run(arguments, Line::grammar()),
         }
@@ -229,7 +236,7 @@ impl Command {
             Self::Stress(_) => "stress",
             Self::Man(_) => "man",
             // the columns are those of the parts
-            Self::Completions(_) | Self::Merge(_) => return None,
+            Self::Completions(_) | Self::Lsp(_) | Self::Mcp(_) | Self::Merge(_) => return None,
         })
     }
 

@@ -142,11 +142,15 @@ pub(super) fn of_command(option: clap::Arg, command: &str) -> clap::Arg {
     match option.get_id().as_str() {
         "format" => option
             .value_parser(format_parser(&formats(command)))
-            .hide(matches!(command, "completions" | "plot")),
-        "digits" => option.hide(matches!(command, "completions" | "man" | "merge" | "scenes")),
+            .hide(matches!(command, "completions" | "lsp" | "mcp" | "plot")),
+        "digits" => option.hide(matches!(
+            command,
+            "completions" | "lsp" | "man" | "mcp" | "merge" | "scenes"
+        )),
         "out" if command == "run" => option
             .value_name("DIR")
             .help("Write the files of all commands into the directory DIR"),
+        "out" if matches!(command, "lsp" | "mcp") => option.hide(true),
         "out" if command == "plot" => {
             option.help("Write the drawing to FILE instead of stdout; of `plot all` a directory")
         }

@@ -1,8 +1,10 @@
-//! Progress of a long computation, on a terminal.
+//! Progress of a long computation, on a terminal or for a program that asks.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::io::{self, IsTerminal};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 /// The time before anything is drawn: a short computation shows nothing.
@@ -11,6 +13,37 @@ const PAUSE: Duration = Duration::from_millis(200);
 thread_local! {
     /// True while a bar exists: a computation within another draws none.
     static IS_TAKEN: Cell<bool> = const { Cell::new(false) };
+    /// Receives the steps of the next bar of this thread.
+    static WATCH: RefCell<Option<Arc<Watch>>> = const { RefCell::new(None) };
+}
+
+/// The steps of a bar, counted for another thread.
+#[derive(Debug, Default)]
+pub struct Watch {
+    done: AtomicU64,
+    total: AtomicU64,
+}
+
+impl Watch {
+    /// Returns the steps that are done and their total, once a bar exists.
+    pub fn seen(&self) -> Option<(u64, u64)> {
+        let total = self.total.load(Ordering::Relaxed);
+        (total > 0).then(|| (self.done.load(Ordering::Relaxed).min(total), total))
+    }
+
+    /// Runs `work`; the first bar that it makes counts here.
+    pub fn during<R>(self: &Arc<Self>, work: impl FnOnce() -> R) -> R {
+        /// Removes the watch, after a panic as well.
+        struct End;
+        impl Drop for End {
+            fn drop(&mut self) {
+                WATCH.set(None);
+            }
+        }
+        let _end = End;
+        WATCH.set(Some(Arc::clone(self)));
+        work()
+    }
 }
 
 /// A bar or a line on stderr, where that is a terminal; removed when it is dropped.
@@ -18,6 +51,7 @@ pub struct Progress {
     bar: ProgressBar,
     start: Instant,
     is_shown: bool,
+    watch: Option<Arc<Watch>>,
 }
 
 impl Progress {
@@ -41,10 +75,16 @@ impl Progress {
     fn new(total: Option<u64>, style: ProgressStyle, what: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden());
         let is_shown = io::stderr().is_terminal() && !IS_TAKEN.replace(true);
+        let watch = total.and_then(|total| {
+            let watch = WATCH.take()?;
+            watch.total.store(total, Ordering::Relaxed);
+            Some(watch)
+        });
         Self {
             bar: bar.with_style(style).with_message(what),
             start: Instant::now(),
             is_shown,
+            watch,
         }
     }
 
@@ -61,6 +101,9 @@ impl Progress {
     pub fn step(&self) {
         self.draw();
         self.bar.inc(1);
+        if let Some(watch) = &self.watch {
+            watch.done.fetch_add(1, Ordering::Relaxed);
+        }
     }
 
     /// Shows a line in the place of the last one.
@@ -102,5 +145,18 @@ mod tests {
         let bar = progress.bar.clone();
         let told: Vec<i32> = progress.over(0..5).collect();
         assert_eq!((told, bar.position()), (vec![0, 1, 2, 3, 4], 5));
+    }
+
+    #[test]
+    fn the_first_bar_alone_is_counted() {
+        let watch = Arc::new(Watch::default());
+        assert_eq!(watch.seen(), None);
+        watch.during(|| {
+            let bar = Progress::bar(3, "claims");
+            bar.step();
+            Progress::bar(7, "points").step();
+        });
+        Progress::bar(9, "points").step();
+        assert_eq!(watch.seen(), Some((1, 3)));
     }
 }

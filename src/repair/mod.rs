@@ -25,6 +25,7 @@ pub use printed::{Reprinted, reprinted};
 
 use crate::claim::{Entry, Sheet};
 use crate::prove::Options;
+use crate::stop::goes_on;
 use crate::tex::{Equation, Tree, any};
 use candidate::Formula;
 use monomial::{is_balanced, is_same_product};
@@ -197,7 +198,7 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Repairs {
             options,
             &mut extent.proofs,
         );
-        if !found.is_empty() {
+        if !found.is_empty() || !goes_on() {
             break;
         }
     }
@@ -219,7 +220,7 @@ fn proved(
     let mut repairs: Vec<Repair> = Vec::new();
     let most = *proofs + search.most_proofs(MOST_PROOFS, MOST_SQUARES) * options.effort;
     for found in found {
-        if repairs.len() >= MOST_REPAIRS || *proofs >= most {
+        if repairs.len() >= MOST_REPAIRS || *proofs >= most || !goes_on() {
             break;
         }
         let mended = found.mended(&search.formulas);

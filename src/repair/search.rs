@@ -13,6 +13,7 @@ use super::{Edit, Part, Repair, put};
 use crate::claim::{Sheet, Statements};
 use crate::evidence::sampled::{Leaves, Number, SizedValue, Value, agree};
 use crate::evidence::trial;
+use crate::stop::goes_on;
 use crate::tex::{At, Equation, Name, Relation, Symbols, Tree, any_side};
 use std::collections::{HashMap, HashSet};
 
@@ -403,6 +404,9 @@ impl<'a> Search<'a> {
         let mut known: Vec<Vec<Vec<Number>>> = Vec::new();
         let mut kept = Vec::new();
         for found in found {
+            if !goes_on() {
+                break;
+            }
             let mended = found.mended(&self.formulas);
             let (equations, definitions) = with(&self.formulas, &mended, &bench.locals);
             let gaps = |leaves: &Leaves, definitions: &HashMap<Name, Tree>| -> Vec<Vec<[SizedValue; 2]>> {
@@ -496,7 +500,7 @@ impl<'a> Search<'a> {
             if !is_read {
                 continue;
             }
-            if budget == 0 {
+            if budget == 0 || !goes_on() {
                 break;
             }
             let Ok(evidence) = trial(&copy, self.position, TRIAL_POINTS, &mut budget) else {

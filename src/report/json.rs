@@ -110,6 +110,13 @@ impl serde_json::ser::Formatter for Escaping {
     }
 }
 
+impl Serialize for Table {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let columns = self.columns();
+        serializer.collect_seq(self.rows().iter().map(|cells| Row { columns, cells }))
+    }
+}
+
 /// A row with its keys, written as a stream so that the order of the columns is kept.
 struct Row<'a> {
     columns: &'a [Column],

@@ -10,6 +10,8 @@ mod cli;
 mod columns;
 mod fuzz;
 mod hostile;
+mod lsp;
+mod mcp;
 mod merge;
 mod page;
 mod peers;

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 const README: &str = include_str!("../../README.md");
-const GUIDE: [(&str, &str); 12] = [
+const GUIDE: [(&str, &str); 13] = [
     ("first", include_str!("../../doc/first.md")),
     ("sheets", include_str!("../../doc/sheets.md")),
     ("numbers", include_str!("../../doc/numbers.md")),
@@ -20,6 +20,7 @@ const GUIDE: [(&str, &str); 12] = [
     ("solvers", include_str!("../../doc/solvers.md")),
     ("documents", include_str!("../../doc/documents.md")),
     ("library", include_str!("../../doc/library.md")),
+    ("editors", include_str!("../../doc/editors.md")),
 ];
 
 /// The language and the text of each block of a page.

@@ -22,6 +22,7 @@ mod elaborate;
 mod entry;
 mod exponents;
 mod fault;
+mod fingerprint;
 mod function;
 mod functional;
 mod implication;
@@ -41,6 +42,7 @@ pub use document::{Document, Include, Markup, PrintedNumber};
 pub use elaborate::{Question, Unreadable, questions};
 pub use entry::{Entry, Role, Standing};
 pub use fault::{Fault, Source};
+pub use fingerprint::Fingerprint;
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{

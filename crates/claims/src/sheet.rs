@@ -349,6 +349,11 @@ impl Sheet {
         Some(sheet)
     }
 
+    /// The entries as they stand in the file.
+    pub(super) fn printed(&self) -> impl Iterator<Item = &RawEntry> {
+        self.raw.equation.iter()
+    }
+
     /// The number of the `[[equation]]` that the entry at a position is read from, and the positions of all that is read
     /// from it: both ways of an equivalence.
     fn printed_with(&self, position: usize) -> Option<(usize, Range<usize>)> {

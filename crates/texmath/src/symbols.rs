@@ -219,6 +219,11 @@ impl Symbols {
         self.declared.push((name, meaning));
     }
 
+    /// Returns all that is declared, in order.
+    pub fn declarations(&self) -> &[(Name, Meaning)] {
+        &self.declared
+    }
+
     /// Keeps what passes the test of all that is declared.
     pub fn retain(&mut self, test: impl Fn(&Name, &Meaning) -> bool) {
         self.of_name.clear();
