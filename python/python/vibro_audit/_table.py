@@ -310,5 +310,8 @@ class Figure:
         """
         Path(path_of(path, "path")).write_text(self.svg, encoding="utf-8")
 
+    def __repr__(self) -> str:
+        return f"<figure: SVG of {len(self.svg)} characters>"
+
     def _repr_svg_(self) -> str:
         return self.svg
