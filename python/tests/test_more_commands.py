@@ -173,3 +173,23 @@ def test_messages_name_the_arguments_of_python(call, words):
 def test_notes_name_the_arguments_of_python():
     notes = va.sweep("fig03", set={"sweep.points": 2, "sweep.impacts": 80, "digits": 30}).notes
     assert notes == ["a sweep runs in f64: 15 digits at most; `summary` says how many hold"]
+
+
+@pytest.mark.parametrize(
+    ("message", "expected"),
+    [
+        ("invalid value '0' for '--digits <N>': 0 is not in 1..=9", "digits is 0; a whole number from 1 to 9 is needed"),
+        ("invalid value 'a' for '[TASK]'\n  [possible values: b, c]", "task is 'a'; choose b, c"),
+        ("the argument '[TASK]' cannot be used with '--advise <NEED>'", "task and advise exclude each other"),
+        ("`trade --format csv` lists those", "`trade` lists those"),
+        ("`orbits --digits 8` takes newton", "`orbits(digits=8)` takes newton"),
+        ("`vibro-audit sweep` and `check DIR --bless`", "`sweep` and `vibro-audit check DIR --bless`"),
+        ("several are a list: --set 'words=[\"BT\", \"T\"]'", "several are a list: set={'words': [\"BT\", \"T\"]}"),
+        ("$a--b$ and x --setting", "$a--b$ and x --setting"),
+        ("a bell \x07 and \u202e", "a bell \\x07 and \\u202e"),
+    ],
+)
+def test_messages_are_translated(message, expected):
+    from vibro_audit._messages import in_python
+
+    assert in_python(message, "trade") == expected

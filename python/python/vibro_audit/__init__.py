@@ -16,6 +16,7 @@ Examples
 
 from __future__ import annotations
 
+import math as _math
 from collections.abc import Iterable as _Iterable
 from collections.abc import Mapping as _Mapping
 from typing import Any, NamedTuple
@@ -936,10 +937,27 @@ def next_impact(
     with _as_input_errors("the list of states"):
         parameters = [_arguments.number(value, name) for name, value in zip(("g", "d", "r_b", "r_t"), (g, d, r_b, r_t))]
         has_jacobian = _arguments.flag(jacobian, "jacobian")
-        states = _arguments.states(side, phase, velocity)
-        found, arrays, faults = _native.next_impact(*states, parameters, has_jacobian)
-        times, phases, velocities, derivatives = (Column(*numbers) for numbers in arrays)
-        return NextImpact(found, times, phases, velocities, derivatives, dict(faults))
+        is_top, phases, velocities = _arguments.states(side, phase, velocity)
+        sides: list[str | None] = []
+        faults: dict[int, str] = {}
+        n = len(is_top)
+        shapes = [(n,), (n,), (n,), (n, 2, 2)]
+        ends = [bytearray(8 * _math.prod(shape)) for shape in shapes]
+        # of parts the memory is soon free again, and where there is too little of it Python says so
+        for start in range(0, n, _STATES_AT_ONCE) or (0,):
+            end = start + _STATES_AT_ONCE
+            part = is_top[start:end], phases[8 * start : 8 * end], velocities[8 * start : 8 * end]
+            own_sides, own_ends, own_faults = _native.next_impact(*part, parameters, has_jacobian)
+            sides += own_sides
+            faults.update((start + place, fault) for place, fault in own_faults)
+            for whole, (_, shape, numbers), each in zip(ends, own_ends, (8, 8, 8, 32)):
+                whole[each * start : each * (start + shape[0])] = numbers
+        made = [Column("d", shape, numbers) for shape, numbers in zip(shapes, ends)]
+        return NextImpact(sides, *made, faults)
+
+
+_STATES_AT_ONCE = 1 << 20
+"""States of `next_impact` that the native part is asked for at a time."""
 
 
 def _ask(

@@ -86,7 +86,7 @@ def checked(value: str, name: str) -> str:
 
 
 def path(value: Any, name: str) -> str:
-    """Returns a path. One that is no UTF-8 keeps its bytes."""
+    """Returns a path. One that is not UTF-8 keeps its bytes."""
     try:
         found = os.fsdecode(value)
     except TypeError:
@@ -94,7 +94,7 @@ def path(value: Any, name: str) -> str:
     if not found:
         raise InputError(f"{name} is empty; a path is needed")
     if "\0" in found:
-        raise InputError(f"{name} is {shown(found)}; it contains a null character, which no path can")
+        raise InputError(f"{name} is {shown(found)}; it contains a null character")
     try:
         os.fsencode(found)
     except UnicodeEncodeError:
@@ -109,7 +109,7 @@ def listed(values: Any, name: str, needed: str = "a list or an array") -> list[A
         if len(values) > MOST_ITEMS:
             raise OverflowError
     except OverflowError:
-        raise InputError(f"{name} has more than {MOST_ITEMS} items; give fewer at a time") from None
+        raise InputError(f"{name} has more than {MOST_ITEMS} items; pass fewer at a time") from None
     except TypeError:
         pass  # a generator
     try:
@@ -117,7 +117,7 @@ def listed(values: Any, name: str, needed: str = "a list or an array") -> list[A
     except TypeError:
         raise InputError(f"{name} is {shown(values)}; {needed} is needed") from None
     if len(items) > MOST_ITEMS:
-        raise InputError(f"{name} has more than {MOST_ITEMS} items; give fewer at a time")
+        raise InputError(f"{name} has more than {MOST_ITEMS} items; pass fewer at a time")
     return items
 
 
@@ -210,7 +210,7 @@ def answers(value: Any) -> Named:
     columns: dict[str, list[str]] = {}
     for key in listed(value.keys(), "answers"):
         if not isinstance(key, str):
-            raise InputError(f"answers: the key {shown(key)} is no string", "answers")
+            raise InputError(f"answers: the key {shown(key)} is not a string", "answers")
         name = f"answers[{shown(key)}]"
         cells = value[key]
         if isinstance(cells, (str, bytes, Mapping)):
@@ -250,9 +250,9 @@ def _keys(value: Any, name: str) -> list[str]:
     found = []
     for key, item in value.items():
         if not isinstance(key, str):
-            raise InputError(f"{name}: the key {shown(key)} is no string")
+            raise InputError(f"{name}: the key {shown(key)} is not a string")
         if "=" in key or not key.strip():
-            raise InputError(f"{name}: {shown(key)} is no key of a scene; one is as in 'motion.d'")
+            raise InputError(f"{name}: {shown(key)} is not a key of a scene, such as 'motion.d'")
         key = checked(str.__str__(key), f"{name}: the key {shown(key)}")
         found.append(f"{key}={to_value(item, f'{name}[{shown(key)}]')}")
     return found
@@ -312,7 +312,7 @@ def known(key: Any, names: Iterable[str], name: str) -> None:
     if isinstance(key, str) and key in names:
         return
     close = difflib.get_close_matches(key, names, 1) if isinstance(key, str) else []
-    meant = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(map(repr, names))}"
+    meant = f"did you mean {close[0]!r}?" if close else f"the keys are {', '.join(map(repr, names))}"
     raise InputError(f"{name}: unknown key {shown(key)}; {meant}")
 
 

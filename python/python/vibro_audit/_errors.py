@@ -76,7 +76,7 @@ def check_text(text: str, name: str) -> str:
         text.encode()
     except UnicodeEncodeError as error:
         half = ascii(text[error.start])
-        message = f"{name} contains {half} at index {error.start}: a lone surrogate, which is no character"
+        message = f"{name} contains {half} at index {error.start}: a lone surrogate, which is not a character"
         raise InputError(message) from None
     return text
 
@@ -89,6 +89,6 @@ def as_input_errors(name: str) -> Iterator[None]:
     except RecursionError as error:
         raise InputError(f"{name} is nested too deeply, or contains itself", name) from error
     except (MemoryError, OverflowError) as error:
-        raise InputError(f"{name} needs more memory than there is; give less at a time", name) from error
+        raise InputError(f"{name} needs more memory than is available; pass fewer items", name) from error
     except UnicodeError as error:
-        raise InputError(f"{name} contains what is no character: {error}", name) from error
+        raise InputError(f"{name} contains characters that cannot be encoded: {error}", name) from error

@@ -41,7 +41,7 @@ _TOGETHER = re.compile(
 _PHRASES = {
     "number too large to fit in target type": "it is too large",
     "invalid digit found in string": "a whole number that is not negative is needed",
-    "invalid UTF-8 was detected in one or more arguments": "a path is no UTF-8, which is needed here",
+    "invalid UTF-8 was detected in one or more arguments": "the path must be UTF-8",
     ", or `-` for stdin": "",
     "; must be": "; it must be",
     "write key=value, as in --set": "write --set",
@@ -108,6 +108,8 @@ def _quoted(found: re.Match[str], own: Mapping[str, str]) -> str:
     command, rest = found[1], found[2]
     if command not in _COMMANDS:
         return found[0]
+    if "--" not in rest:
+        return f"`{command}{rest}`"
     rest = re.sub(r" --format \w+", "", rest)
     words = rest.split()
     arguments = []

@@ -238,7 +238,7 @@ class Report(Table):
         Raises
         ------
         InputError
-            It is no path.
+            The value is not a path.
         OSError
             The file cannot be written.
 
@@ -295,7 +295,7 @@ class Figure:
         Raises
         ------
         InputError
-            It is no path.
+            The value is not a path.
         OSError
             The file cannot be written.
 

@@ -38,7 +38,7 @@ def to_toml(given: Mapping[str, Any], name: str = "dict") -> str:
     Raises
     ------
     InputError
-        A key is no string, a value has no form in TOML, or the dict is nested too deeply or contains itself.
+        A key is not a string, a value has no form in TOML, or the dict is nested too deeply or contains itself.
 
     Examples
     --------
@@ -71,7 +71,7 @@ def _lines(section: Mapping[str, Any], path: str) -> Iterator[str]:
 
 def _key(key: object, path: str) -> str:
     if not isinstance(key, str):
-        raise InputError(f"{path}: the key {shown(key)} is no string", path)
+        raise InputError(f"{path}: the key {shown(key)} is not a string", path)
     plain = key.isascii() and key.replace("_", "").replace("-", "").isalnum()
     return str.__str__(key) if plain else _text(key, f"{path}: the key {shown(key)}")
 
