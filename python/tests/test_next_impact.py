@@ -89,6 +89,17 @@ def test_what_is_no_array_of_real_numbers_is_refused(phase):
         va.next_impact("bottom", phase, 0.5, g=0.1, d=0.3, r_b=0.5, r_t=0.5)
 
 
+def test_many_states_are_computed_in_parts(monkeypatch):
+    velocities = np.linspace(-0.1, 0.9, 11)
+    arguments = {**PARAMETERS, "jacobian": True}
+    whole = va.next_impact("bottom", 6.18, velocities, **arguments)
+    monkeypatch.setattr(va, "_STATES_AT_ONCE", 3)
+    parts = va.next_impact("bottom", 6.18, velocities, **arguments)
+    assert whole.faults and whole.faults == parts.faults and whole.sides == parts.sides
+    for one, other in zip(whole[1:5], parts[1:5]):
+        assert np.array_equal(np.asarray(one), np.asarray(other), equal_nan=True) and one.shape == other.shape
+
+
 def test_a_series_of_pandas_is_an_array():
     pd = pytest.importorskip("pandas")
     plain = va.next_impact("bottom", [1.0, 2.0], 0.5, **PARAMETERS)

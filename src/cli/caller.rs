@@ -2,10 +2,11 @@
 
 use super::answer::Copied;
 use super::{Command, Content, Exit, Failure, Line, described};
-use crate::report::{Column, Frame, Page, Part, Table, Values};
+use crate::report::{Column, Frame, Page, Part, Table, Values, forget_inputs};
 use crate::stop::Token;
 use std::cell::RefCell;
 use std::ffi::OsString;
+use std::sync::{Mutex, PoisonError};
 
 /// The cells of all rows that are held at once, at most: some hundred MB.
 const MOST_CELLS: usize = 20_000_000;
@@ -82,6 +83,30 @@ pub(super) fn quietly<R>(work: impl FnOnce() -> R) -> R {
     during(None, work).0
 }
 
+/// The number of command lines that are being answered in this process.
+static ANSWERING: Mutex<usize> = Mutex::new(0);
+
+/// A command line that is being answered.
+struct Answering;
+
+impl Answering {
+    /// Begins an answer. Inputs of earlier answers are forgotten, unless another answer still reads its own.
+    fn begin() -> Self {
+        let mut count = ANSWERING.lock().unwrap_or_else(PoisonError::into_inner);
+        if *count == 0 {
+            forget_inputs();
+        }
+        *count += 1;
+        Self
+    }
+}
+
+impl Drop for Answering {
+    fn drop(&mut self) {
+        *ANSWERING.lock().unwrap_or_else(PoisonError::into_inner) -= 1;
+    }
+}
+
 /// Answers a command line, the program's name first, as data: the tables, the page, the text that the command would print.
 /// `-` is `input`, where there is one. It stops with the current [`Token`].
 ///
@@ -104,6 +129,7 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, input: Option<Input>) 
             "a server has standard input and output for itself: start it from a command line".to_owned(),
         ));
     }
+    let _answering = Answering::begin();
     let (reply, notes) = during(input, || reply(&line));
     Ok(Reply { notes, ..reply? })
 }

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// Text shows double precision; csv, json and markdown have every number type. Exits with 1 where the form that is used
 /// keeps fewer digits than 14.5 - log10(condition), or where a stored worst point has become less accurate.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: vibro-audit stress jacobian")]
+#[command(after_help = "Example: vibro-audit stress 'Delta near 0'")]
 pub struct Arguments {
     /// Only the cases that have this in their names
     #[arg(value_name = "CASE", conflicts_with = "search")]

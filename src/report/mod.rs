@@ -46,7 +46,8 @@ pub use junit::write as junit;
 pub use lock::DirectoryLock;
 pub use new_directory::NewDirectory;
 pub use output::{
-    Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, open_locked, remove_temporaries,
+    Output, OutputError, OutputProblem, forget_inputs, is_same_file, note_input, note_stdin, open_locked,
+    remove_temporaries,
 };
 pub use page::{Given, Page, Part, Printed, Verdicts};
 pub use sarif::{Finding, Fix, Kind, sarif};

@@ -104,6 +104,16 @@ pub fn note_stdin() {
     }
 }
 
+/// Forgets all inputs that were noted, so that a later command of the same process may write what an earlier one has read.
+pub fn forget_inputs() {
+    if let Ok(mut inputs) = INPUTS.lock() {
+        inputs.clear();
+    }
+    if let Ok(mut files) = FILES.lock() {
+        files.clear();
+    }
+}
+
 fn note_file(found: io::Result<fs::Metadata>) {
     let found = found.ok().filter(fs::Metadata::is_file);
     if let (Some(file), Ok(mut files)) = (found.as_ref().and_then(identity), FILES.lock()) {

@@ -1,4 +1,4 @@
-"""What commands answer: tables by columns, pages, figures."""
+"""The results of commands: tables by columns, pages, figures."""
 
 from __future__ import annotations
 
@@ -9,13 +9,38 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, overload
 
+from ._arguments import path as path_of
+
 _SHOWN = 10
 
 
 class Column(Sequence[Any]):
-    """Numbers, counts or flags one behind the other: f64, i64 or bool.
+    """Numbers, counts or flags, contiguous in memory: f64, i64 or bool.
 
-    `numpy.asarray(column)`, `pandas.Series(column)` and `column.view` take them without copying.
+    `numpy.asarray(column)`, `pandas.Series(column)` and `column.view` take them without copying. A column is also a
+    sequence: it has a length, is indexed and is iterated over.
+
+    Parameters
+    ----------
+    format : str
+        The type, as in `struct`: "d", "q" or "?".
+    shape : sequence of int
+        The shape, as in numpy.
+    bytes : bytearray
+        The memory, in C order.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        The shape: (n,), or (n, 2, 2) of a Jacobian.
+
+    Examples
+    --------
+    >>> column = va.simulate("fig03", impacts=3)["event"]
+    >>> column
+    <3 counts: 1, 2, 3>
+    >>> column[-1], column.tolist(), column.shape
+    (3, [1, 2, 3], (3,))
     """
 
     __slots__ = ("_bytes", "_format", "shape")
@@ -26,7 +51,7 @@ class Column(Sequence[Any]):
 
     @property
     def view(self) -> "memoryview[Any]":
-        """The numbers as a `memoryview` of their type and shape."""
+        """The numbers as a `memoryview` of their type and shape, not copied."""
         # a view of nothing cannot be cast to a shape with zeros in it
         flat: Any = memoryview(self._bytes)
         numbers: memoryview[Any] = flat.cast(self._format, self.shape) if self._bytes else flat.cast(self._format)
@@ -43,7 +68,18 @@ class Column(Sequence[Any]):
         return array.copy() if copy else array
 
     def tolist(self) -> list[Any]:
-        """The numbers as a list, of lists where there are more dimensions."""
+        """The numbers as a list; a list of lists where the shape has more dimensions.
+
+        Returns
+        -------
+        list
+            The numbers, copied.
+
+        Examples
+        --------
+        >>> va.simulate("fig03", impacts=3)["event"].tolist()
+        [1, 2, 3]
+        """
         return self.view.tolist() if self._bytes else []
 
     def __len__(self) -> int:
@@ -71,27 +107,72 @@ class Column(Sequence[Any]):
 class Table(dict[str, Any]):
     """A table: a dict of columns by their names, in order.
 
-    Numbers are a `Column`, of NaN where there is none; words, lists and what has more than 15 digits (`decimal.Decimal`)
-    are lists, with None where there is nothing. `pandas.DataFrame(table)` takes it as it is.
+    Numbers are a `Column`, with NaN where there is no value; words, lists and numbers of more than 15 digits
+    (`decimal.Decimal`) are lists, with None where there is no value. `pandas.DataFrame(table)` takes it as it is.
+
+    Parameters
+    ----------
+    columns : dict, optional
+        The columns.
+    rows : int, optional
+        The number of rows.
+    as_expected : bool, optional
+        As the attribute.
+    notes : sequence of str, optional
+        As the attribute.
+
+    Attributes
+    ----------
+    rows : int
+        The number of rows.
+    as_expected : bool
+        True where the command would exit with 0.
+    notes : list of str
+        The messages that the command would write to stderr.
+
+    Examples
+    --------
+    >>> table = va.simulate("fig03", impacts=3)
+    >>> table["side"], table.rows, table.as_expected
+    (['bottom', 'top', 'bottom'], 3, True)
     """
 
     rows: int
-    """The number of rows."""
     as_expected: bool
-    """Whether the command would exit with 0."""
     notes: list[str]
-    """What the command would say on stderr."""
 
     def __init__(self, columns: Any = (), rows: int = 0, as_expected: bool = True, notes: Sequence[str] = ()) -> None:
         super().__init__(columns)
         self.rows, self.as_expected, self.notes = rows, as_expected, list(notes)
 
     def each(self) -> Iterator[dict[str, Any]]:
-        """The rows, each a dict."""
+        """The rows, one after the other, each a dict of values by the names of the columns.
+
+        Returns
+        -------
+        iterator of dict
+            The rows.
+
+        Examples
+        --------
+        >>> [row["side"] for row in va.simulate("fig03", impacts=3).each()]
+        ['bottom', 'top', 'bottom']
+        """
         return (dict(zip(self, row)) for row in zip(*self.values()))
 
     def to_pandas(self) -> Any:
-        """The table as a `pandas.DataFrame`, numbers not copied."""
+        """The table as a `pandas.DataFrame`. Numbers are not copied. It needs pandas.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A column for each of the table.
+
+        Examples
+        --------
+        >>> va.simulate("fig03", impacts=3).to_pandas().shape[0]
+        3
+        """
         import pandas
 
         return pandas.DataFrame({name: pandas.Series(column, copy=False) for name, column in self.items()}, copy=False)
@@ -116,20 +197,61 @@ def _shown(cell: Any) -> str:
 
 
 class Report(Table):
-    """A table of verdicts, with a page for a reader, which a notebook shows."""
+    """A table of verdicts, with a page for a reader, which a notebook shows.
+
+    Parameters
+    ----------
+    html : str, optional
+        As the attribute. All else is as for `Table`.
+    numbers : Table, optional
+        As the attribute.
+
+    Attributes
+    ----------
+    html : str
+        The page: one file that refers to nothing outside itself.
+    numbers : Table or None
+        The verdicts on the numbers that a document prints; None where it prints none.
+
+    Examples
+    --------
+    >>> found = va.audit({"equation": [{"label": "a", "role": "claim", "tex": "1 + 1 = 2"}]})
+    >>> found["verdict"], found.html[:15], found.numbers
+    (['proved'], '<!DOCTYPE html>', None)
+    """
 
     html: str
-    """The page: one file that refers to nothing outside itself."""
     numbers: Table | None
-    """Of a document that prints numbers, what they came to."""
 
     def __init__(self, *arguments: Any, html: str = "", numbers: Table | None = None, **named: Any) -> None:
         super().__init__(*arguments, **named)
         self.html, self.numbers = html, numbers
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the page to a file."""
-        Path(path).write_text(self.html, encoding="utf-8")
+        """Writes the page to a file.
+
+        Parameters
+        ----------
+        path : path
+            The file, which is overwritten.
+
+        Raises
+        ------
+        InputError
+            The value is not a path.
+        OSError
+            The file cannot be written.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> with tempfile.TemporaryDirectory() as directory:
+        ...     path = pathlib.Path(directory, "report.html")
+        ...     va.audit({"equation": [{"label": "a", "role": "claim", "tex": "1 + 1 = 2"}]}).save(path)
+        ...     path.exists()
+        True
+        """
+        Path(path_of(path, "path")).write_text(self.html, encoding="utf-8")
 
     def _repr_html_(self) -> str:
         # in a frame, so that neither page styles the other
@@ -138,14 +260,58 @@ class Report(Table):
 
 
 class Figure:
-    """A drawing, which a notebook shows."""
+    """A drawing, which a notebook shows.
+
+    Parameters
+    ----------
+    svg : str
+        The drawing as SVG.
+    notes : sequence of str, optional
+        The messages that the command would write to stderr.
+
+    Attributes
+    ----------
+    svg, notes
+        As given.
+
+    Examples
+    --------
+    >>> figure = va.plot("fig03", set={"want": ["sweep"], "sweep.points": 5})
+    >>> figure.svg.rstrip()[-6:]
+    '</svg>'
+    """
 
     def __init__(self, svg: str, notes: Sequence[str] = ()) -> None:
         self.svg, self.notes = svg, list(notes)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the SVG to a file."""
-        Path(path).write_text(self.svg, encoding="utf-8")
+        """Writes the SVG to a file.
+
+        Parameters
+        ----------
+        path : path
+            The file, which is overwritten.
+
+        Raises
+        ------
+        InputError
+            The value is not a path.
+        OSError
+            The file cannot be written.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> with tempfile.TemporaryDirectory() as directory:
+        ...     path = pathlib.Path(directory, "figure.svg")
+        ...     va.plot("fig03", set={"want": ["sweep"], "sweep.points": 5}).save(path)
+        ...     path.exists()
+        True
+        """
+        Path(path_of(path, "path")).write_text(self.svg, encoding="utf-8")
+
+    def __repr__(self) -> str:
+        return f"<figure: SVG of {len(self.svg)} characters>"
 
     def _repr_svg_(self) -> str:
         return self.svg
