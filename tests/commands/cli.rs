@@ -537,6 +537,21 @@ fn nothing_of_an_input_reaches_a_terminal_as_a_control_character() {
 }
 
 #[test]
+fn an_explained_run_names_the_values_that_keys_have_where_they_are_not_given() {
+    let text = run(&["run", "fig02", "--explain"]).succeeded();
+    for line in [
+        "digits = 12:",
+        "options.finest_cell = 0.000000002:",
+        "options.most_cells = 200000:",
+        "sweep.error = as many impacts as are given:",
+        "sweep.most_impacts = 1000000:",
+    ] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    assert!(!text.contains("= nothing:"), "{text}");
+}
+
+#[test]
 fn a_very_long_word_of_a_message_is_cut() {
     let long = format!("motion.{}=1", "d".repeat(100_000));
     let message = run(&["orbits", "fig02", "--set", &long]).stderr;

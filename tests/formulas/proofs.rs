@@ -648,7 +648,10 @@ fn nothing_is_differentiated_that_holds_at_single_points() {
     let (_, said) = checked(&python, &scratch("single-times"), &files);
     assert_eq!(said.len(), files.len());
     for line in said {
-        assert!(line.contains(": refused: step") || line.contains(": left out: step"), "{line}");
+        assert!(
+            line.contains(": refused: step") || line.contains(": left out: step"),
+            "{line}"
+        );
         let is_known = line.ends_with("a term is not known to be nonzero") || line.contains("(along): such a step");
         assert!(is_known, "{line}");
     }

@@ -4,7 +4,7 @@ use super::document::Entry;
 use super::key::{self, Allowed, Key, RangeKeys};
 use super::plane::Plane;
 use super::{Extent, Map, Over, Scene, SceneError, Want};
-use dynamics::orbit::Word;
+use dynamics::orbit::{OrbitOptions, Word};
 use std::fmt::Write;
 
 /// A key, and the wants that read it.
@@ -96,11 +96,61 @@ impl Scene {
             key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),
             key if key.section == "map" => self.default_of_map(key)?,
             key if *key == key::LINES => self.plane()?.lines.to_string(),
+            key if *key == key::DIGITS => self.digits()?.to_string(),
+            key if *key == key::ERROR => "as many impacts as are given".to_owned(),
+            key if *key == key::MOST_IMPACTS => self.diagram()?.most_impacts.to_string(),
             key if *key == key::BASINS_KEEP => self.start_grid()?.diagram.keep.to_string(),
             key if key.section == "box" && key.allowed == Allowed::Range => "one value".to_owned(),
             key if key.section == "box" => "0".to_owned(),
-            _ => self.digits()?.to_string(),
+            key => self.default_option(key)?,
         })
+    }
+
+    /// The value that a key of `[options]` has where it is not given.
+    fn default_option(&self, key: &'static Key) -> Result<String, SceneError> {
+        let OrbitOptions {
+            finest_cell,
+            most_cells,
+            most_cover_cells,
+            most_covers,
+            word_starts,
+            branch_values,
+            branch_starts,
+            longest_step,
+            shortest_step,
+            most_steps,
+            longest_word,
+            settled,
+            settling_impacts,
+            resting_digits,
+        } = self.options()?;
+        let reals = [
+            (&key::FINEST_CELL, finest_cell),
+            (&key::LONGEST_STEP, longest_step),
+            (&key::SHORTEST_STEP, shortest_step),
+            (&key::SETTLED, settled),
+        ];
+        let counts = [
+            (&key::MOST_CELLS, most_cells),
+            (&key::MOST_COVER_CELLS, most_cover_cells),
+            (&key::MOST_COVERS, most_covers),
+            (&key::WORD_STARTS, word_starts),
+            (&key::BRANCH_VALUES, branch_values),
+            (&key::BRANCH_STARTS, branch_starts),
+            (&key::MOST_STEPS, most_steps),
+            (&key::LONGEST_WORD, longest_word),
+            (&key::SETTLING_IMPACTS, settling_impacts),
+            (&key::RESTING_DIGITS, resting_digits),
+        ];
+        let real = reals
+            .iter()
+            .find(|(own, _)| *own == key)
+            .map(|(_, value)| format!("{value}"));
+        let count = counts
+            .iter()
+            .find(|(own, _)| *own == key)
+            .map(|(_, value)| value.to_string());
+        Ok(real.or(count).unwrap_or_else(|| "nothing".to_owned()))
     }
 
     fn default_of_map(&self, key: &'static Key) -> Result<String, SceneError> {
