@@ -292,6 +292,7 @@ impl Arguments {
             sheet,
             name,
             source: source.cloned(),
+            text,
             rows,
             numbers: Vec::new(),
         };

@@ -1,19 +1,19 @@
 //! What was decided of a sheet, as the user wants to see it: a table, a page, findings.
 
+use super::edits::replacements;
 use super::source::Source as Input;
 use super::{Answer, Content, Exit, Failure, Options, outcomes};
-use crate::claim::{Sheet, Source, Standing, Verdict};
+use crate::claim::{Sheet, Standing, Verdict};
 use crate::evidence::Evidence;
 use crate::prove::rocq::{self, Unwritten};
 use crate::prove::{self, Counterexample, Decision, Explanation};
 use crate::reference::Outcome;
-use crate::repair::{Part as Place, Repair, Repairs};
+use crate::repair::{Repair, Repairs};
 use crate::report::{
     Baseline, BaselineError, Cell, FORMULAS, Finding, Fix, Format, Given, Kind, NUMBERS, Page, Part, Printed, Table,
     fingerprint, sarif,
 };
 use crate::stop::Token;
-use crate::tex::Equation;
 use rayon::prelude::*;
 
 /// The columns that scripts rely on.
@@ -314,45 +314,6 @@ impl Unusable {
     }
 }
 
-/// Text of the source in place of other text, between places of line and column, from 1.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Replacement {
-    pub start: (usize, usize),
-    /// The place behind the last character.
-    pub end: (usize, usize),
-    pub old: String,
-    pub new: String,
-}
-
-/// Returns a repair of the claim at a position as edits of the file in which it stands; nothing where what stands there is not
-/// the formula that was read.
-pub fn replacements(sheet: &Sheet, position: usize, repair: &Repair) -> Option<Vec<Replacement>> {
-    let entry = sheet.entries.get(position)?;
-    let mut replacements = Vec::new();
-    for (place, mended) in &repair.mended {
-        let (equation, source): (&Equation, &Source) = match place {
-            Place::Stated(n) => (entry.equations.get(*n)?, &entry.tex),
-            Place::Definition(n) => entry.local.get(*n).map(|(equation, source)| (equation, source))?,
-        };
-        let (start, end) = (equation.at.0, equation.end.0);
-        // a link of a chain shares a side with another; a definition has a text of its own
-        let shares = |other: &Equation| {
-            let is_beside = matches!(place, Place::Stated(_)) && !std::ptr::eq(other, equation);
-            is_beside && other.at.0 < end && start < other.end.0
-        };
-        if source.file != entry.tex.file || entry.equations.iter().any(shares) || end <= start {
-            return None;
-        }
-        replacements.push(Replacement {
-            start: source.place_of(start)?,
-            end: source.place_of(end)?,
-            old: source.tex.get(start..end)?.to_owned(),
-            new: mended.to_string(),
-        });
-    }
-    (!replacements.is_empty()).then_some(replacements)
-}
-
 /// The verdict on what cannot be used.
 const UNUSABLE: &str = "unusable";
 
@@ -362,6 +323,8 @@ pub struct Audited {
     pub name: String,
     /// The sheet or document; nothing of the built-in one.
     pub source: Option<Input>,
+    /// The text of it.
+    pub text: String,
     pub rows: Vec<Row>,
     pub numbers: Vec<Outcome>,
 }
@@ -515,9 +478,9 @@ impl Audited {
         }
     }
 
-    /// Returns a repair as edits of the source; nothing where what stands there is not the formula that was read.
+    /// Returns a repair as edits of the source.
     fn fix(&self, row: &Row, repair: &Repair) -> Option<Fix> {
-        let replacements = replacements(&self.sheet, row.position, repair)?.into_iter();
+        let replacements = replacements(&self.sheet, row.position, repair, &self.text)?.into_iter();
         Some(Fix {
             words: repair.words(),
             replacements: replacements.map(|own| ([own.start, own.end], own.new)).collect(),

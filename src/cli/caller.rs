@@ -50,6 +50,11 @@ pub(super) fn with_input<R>(look: impl FnOnce(&Input) -> R) -> Option<R> {
     CALLER.with_borrow(|caller| caller.as_ref()?.input.as_ref().map(look))
 }
 
+/// Returns true if a program asks, and no shell.
+pub(super) fn is_there() -> bool {
+    CALLER.with_borrow(Option::is_some)
+}
+
 /// Whether a program hears the message, so that stderr need not.
 pub(super) fn hears(text: &str) -> bool {
     CALLER.with_borrow_mut(|caller| match caller {

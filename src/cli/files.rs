@@ -167,7 +167,8 @@ fn ancestors(directory: &Path) -> Vec<PathBuf> {
 
 fn text_of(path: &Path) -> Option<String> {
     let is_short = fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() <= LONGEST as u64);
-    let bytes = fs::read(path).ok().filter(|_| is_short)?;
+    // a pipe is not opened: that waits for its writer
+    let bytes = if is_short { fs::read(path).ok()? } else { return None };
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 

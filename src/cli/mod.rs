@@ -15,6 +15,7 @@ mod completions;
 mod curves;
 mod decide;
 mod document;
+mod edits;
 mod exit;
 mod failure;
 mod files;

@@ -1,7 +1,7 @@
 //! Where a command reads from: a file, `-` for stdin.
 
 use super::{caller, note};
-use crate::input::read_at_most;
+use crate::input::{open_regular, read_at_most};
 use crate::report::{note_input, note_stdin};
 use crate::scene::find;
 use std::fs;
@@ -176,7 +176,12 @@ impl Source {
             }
             Self::File(path) => {
                 note_input(path);
-                limited(fs::File::open(path)?, most)?
+                // a program that asks cannot write into a pipe that it names, and standard input may be its own
+                let file = match caller::is_there() {
+                    true => open_regular(path)?,
+                    false => fs::File::open(path)?,
+                };
+                limited(file, most)?
             }
         })
     }

@@ -47,7 +47,7 @@ pub fn lines(mut from: impl BufRead) -> impl Iterator<Item = io::Result<String>>
     std::iter::from_fn(move || Some(read_line(&mut from).transpose()?.map(without_break)))
 }
 
-/// Opens a file that is read more than once, which a pipe or a device cannot be.
+/// Opens a file, but no pipe or device, which might never end, and cannot be read more than once.
 ///
 /// # Errors
 /// [`io::ErrorKind::InvalidInput`] if it is not a regular file, and the errors of the system.
@@ -57,7 +57,7 @@ pub fn open_regular(path: &Path) -> io::Result<File> {
         true => File::open(path),
         false => Err(io::Error::new(
             io::ErrorKind::InvalidInput,
-            "it is not a regular file, and it is read twice; write it to a file first",
+            "it is not a regular file; write it to a file first",
         )),
     }
 }

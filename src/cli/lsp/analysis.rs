@@ -3,8 +3,9 @@
 use super::lines::{Lines, Position, Range};
 use super::memory::{Keys, Memory};
 use crate::claim::{Fault, Sheet, Standing, Verdict};
-use crate::cli::audit_table::{Row, replacements};
+use crate::cli::audit_table::Row;
 use crate::cli::document::{Form, of_text};
+use crate::cli::edits::replacements;
 use crate::cli::source::TOML_AT_MOST;
 use crate::cli::{Failure, Source};
 use crate::prove;
@@ -104,7 +105,7 @@ impl Read {
             Ok((sheet, decided)) => {
                 // rows of files that are included belong to these
                 let rows = decided.rows.iter().filter(|row| row.decision.file.is_none());
-                analysis.items = rows.filter_map(|row| item(sheet, row, &lines)).collect();
+                analysis.items = rows.filter_map(|row| item(sheet, row, text, &lines)).collect();
                 (analysis, decided.anew, decided.lacks_repairs)
             }
         }
@@ -124,7 +125,7 @@ fn diagnostic(range: Range, severity: u8, code: &str, message: &str) -> Value {
     json!({ "range": range.json(), "severity": severity, "code": code, "source": SOURCE, "message": message })
 }
 
-fn item(sheet: &Sheet, row: &Row, lines: &Lines) -> Option<Item> {
+fn item(sheet: &Sheet, row: &Row, text: &str, lines: &Lines) -> Option<Item> {
     let (entry, decision) = (sheet.entries.get(row.position)?, &row.decision);
     let (source, start) = (&entry.tex, entry.tex.place());
     let formula = Range {
@@ -171,13 +172,15 @@ fn item(sheet: &Sheet, row: &Row, lines: &Lines) -> Option<Item> {
     let shown = 1 + usize::from(decision.counterexample.is_some());
     let message = said.get(..shown).unwrap_or_default().join("\n");
     let fixes = row.repairs().iter().filter_map(|repair| {
-        let edits = replacements(sheet, row.position, repair)?.into_iter().map(|edit| {
-            let range = Range {
-                start: lines.position(edit.start),
-                end: lines.position(edit.end),
-            };
-            (range, edit.new)
-        });
+        let edits = replacements(sheet, row.position, repair, text)?
+            .into_iter()
+            .map(|edit| {
+                let range = Range {
+                    start: lines.position(edit.start),
+                    end: lines.position(edit.end),
+                };
+                (range, edit.new)
+            });
         Some(Fix {
             title: format!("({}) {}: {repair}", decision.label, repair.words()),
             edits: edits.collect(),

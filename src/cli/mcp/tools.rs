@@ -1,8 +1,9 @@
 //! The tools: their schemas, their arguments, and their results as text and as data.
 
 use crate::claim::Verdict;
-use crate::cli::audit_table::{Audited, Replacement, Row, replacements, table};
+use crate::cli::audit_table::{Audited, Row, table};
 use crate::cli::caller::{Input, during, line};
+use crate::cli::edits::{Replacement, replacements};
 use crate::cli::jsonrpc::Error;
 use crate::cli::{Command, Content, Exit, Failure, Options, audit, outcomes};
 use crate::report::{DEFAULT_DIGITS, Format, Table};
@@ -503,7 +504,7 @@ impl Call {
             let mut repairs = Vec::new();
             for repair in row.repairs() {
                 let _ = writeln!(text, "  repair: {}: {repair}", repair.words());
-                let edits = replacements(&audited.sheet, row.position, repair).unwrap_or_default();
+                let edits = replacements(&audited.sheet, row.position, repair, &audited.text).unwrap_or_default();
                 if edits.is_empty() {
                     text.push_str("    no exact edit: write the formula anew\n");
                 }

@@ -1,7 +1,7 @@
 //! Where golden files lie: in the binary, or in a directory that stands alone wherever it is copied.
 
 use super::{Certified, Fault, Printed};
-use crate::input::read_at_most;
+use crate::input::{open_regular, read_at_most};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -96,7 +96,7 @@ impl Directory {
                 text.ok_or_else(|| fault("there is no such built-in file".to_owned()))
             }
             Self::At(directory) | Self::Draft(directory, _) => {
-                let file = fs::File::open(directory.join(relative));
+                let file = open_regular(&directory.join(relative));
                 let bytes = file.and_then(|file| read_at_most(file, MOST_BYTES));
                 let bytes = bytes.map_err(|error| fault(self.why(relative, &error)))?;
                 String::from_utf8(bytes).map_err(|error| {
