@@ -409,8 +409,10 @@ fn article(
         );
     }
     let mut article = element("article", [element("h3", head)]).and([formula(&own.formula)]);
+    let is_reduced = own.theorems.iter().any(Result::is_err);
     article = article.and(own.theorems.iter().map(|theorem| {
         let [name, text] = match theorem {
+            Ok(theorem) if is_reduced => ["Theorem for Rocq of a goal that the claim is reduced to", theorem],
             Ok(theorem) => ["Theorem for Rocq", theorem],
             Err(why) => ["No theorem for Rocq", &why.to_string()],
         };

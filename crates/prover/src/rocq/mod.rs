@@ -35,6 +35,13 @@ pub const CHECK: &str = include_str!("check.sh");
 /// A text within a comment of Rocq, which may hold neither its signs nor a lone quotation mark.
 fn comment(text: &str) -> String {
     let text: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    // no sign that changes the order in which others are shown
+    let text = text.replace(
+        |c: char| {
+            c.is_control() || matches!(c, '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        },
+        "",
+    );
     // a star between blanks opens and closes nothing, whatever stands beside it
     text.replace('*', " * ").replace('"', "''")
 }
@@ -92,8 +99,13 @@ const REQUIRED: &str =
 
 /// The first line of a file.
 fn head(decided: &Decided) -> String {
+    let part = if decided.of_exception {
+        ", a part of what is conditional"
+    } else {
+        ""
+    };
     format!(
-        "(* ({}), {}: {} *)\n",
+        "(* ({}), {}{part}: {} *)\n",
         comment(&decided.label),
         verdict(decided),
         comment(&decided.printed)
@@ -661,6 +673,12 @@ impl Theorem {
             _ => None,
         };
         let tactics = self.values.take().unwrap_or_default();
+        // their derivatives need not be spoken of, and the theorem would be about functions without any
+        if steps.names.functions().next().is_some() {
+            return Err(Unwritten::Not(
+                "a counterexample with unknown functions under an operation",
+            ));
+        }
         self.of_names_in(&[&tactics, other.as_deref().unwrap_or_default()], steps);
         let mut text = format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W9.\n", self.stated(steps));
         let values = values(steps, witness)?;

@@ -9,6 +9,7 @@ use crate::{integration, summation};
 use claims::Statements;
 use kernel::{Certificate, Node, Origin, Property, Symbol};
 use numbers::{Field, Rational};
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use texmath::{Condition, Equation, Name, Operation, Relation, Series, Symbols, Tree, any_side, mapped};
@@ -113,6 +114,7 @@ impl<'a> Induction<'a> {
                 hypotheses.push((says, Origin::ClaimDomain.to_string()));
             }
         }
+        self.add_divisors_of_terms(equation, &letter, &printer, &mut hypotheses, steps)?;
         let first = number(&Rational::from_integer(self.first)).replace("(- ", "(-");
         let says = |says: &str| hypotheses.iter().any(|(own, _)| own == says);
         let is_bound = assume.iter().any(|condition| match condition {
@@ -163,7 +165,10 @@ impl<'a> Induction<'a> {
             text,
             "{{ clear I L {name}; intros {name} I L H; cbv beta in H |- *.\n{at_next}next_terms."
         );
-        let _ = writeln!(text, "step_by_algebra {name} H. }}\nQed.");
+        let _ = writeln!(text, "step_by_algebra {name} H. }}\nQed.\n\nPrint Assumptions holds.");
+        if !hypotheses.is_empty() {
+            text += "\n(* That the hypotheses can hold is not written of inductions. *)\n";
+        }
         Ok(text)
     }
 
@@ -200,6 +205,47 @@ impl<'a> Induction<'a> {
             let is_known = hypotheses.iter().any(|(own, _)| *own == says);
             if !is_known && (!is_domain || is_free) {
                 hypotheses.push((says, given.origin.to_string()));
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes in what the terms of sums and products divide by.
+    ///
+    /// # Errors
+    /// A divisor that holds a letter and moves with the terms.
+    fn add_divisors_of_terms(
+        &self,
+        equation: &Equation,
+        letter: &Name,
+        printer: &Printer,
+        hypotheses: &mut Vec<(String, String)>,
+        steps: &mut Steps,
+    ) -> Result<(), Unwritten> {
+        let mut found = Vec::new();
+        outermost(&equation.left, &mut found);
+        outermost(&equation.right, &mut found);
+        for operation in found {
+            let Operation::Series { of, index, .. } = operation else {
+                continue;
+            };
+            let mut below = Vec::new();
+            divisors(of, &mut below);
+            for own in below {
+                let moves = own.has_free(index) || own.has_free(letter);
+                let has_letters = texmath::any(
+                    own,
+                    &mut |node| matches!(node, Tree::Symbol(name, _) if name != index && name != letter && own.has_free(name)),
+                );
+                if moves && has_letters {
+                    return Err(Unwritten::Not("an induction over terms that are divided by letters"));
+                }
+                if has_letters {
+                    let says = format!("{} <> 0", printer.tree(own, None, steps)?);
+                    if hypotheses.iter().all(|(known, _)| *known != says) {
+                        hypotheses.push((says, Origin::ClaimDomain.to_string()));
+                    }
+                }
             }
         }
         Ok(())
@@ -401,6 +447,9 @@ impl Printed<'_> {
                 limits: Some(limits),
             } => {
                 let ends = [&limits.0, &limits.1].map(|end| end_of(of, by, end));
+                if is_singular_between(of, by, limits) {
+                    return Err(SINGULAR);
+                }
                 match ends {
                     [End::Proper, End::Proper] => return Ok(None),
                     [End::Proper, End::Singular] | [End::Singular, End::Proper] => {}
@@ -408,6 +457,16 @@ impl Printed<'_> {
                         return Err(Unwritten::Not("an integral to infinity"));
                     }
                     _ => return Err(Unwritten::Not("an integral that is improper at both ends")),
+                }
+                // from which side the singular end is approached
+                let [from, to] = [&limits.0, &limits.1].map(|end| guess(end, &|_| f64::NAN));
+                if from
+                    .zip(to)
+                    .is_none_or(|(from, to)| from.partial_cmp(&to) != Some(Ordering::Less))
+                {
+                    return Err(Unwritten::Not(
+                        "an improper integral between letters, or from right to left",
+                    ));
                 }
                 if has_operation(of) {
                     return Err(Unwritten::Not("an operation within an integral"));
@@ -540,6 +599,9 @@ impl Printed<'_> {
         {
             return Err(Unwritten::Not("an improper integral within a formula"));
         }
+        if is_singular_between(of, by, limits) {
+            return Err(SINGULAR);
+        }
         let [low, high] = [&limits.0, &limits.1].map(|end| printer.tree(end, None, steps));
         let (low, high) = (low?, high?);
         let ways = antiderivatives(of, by, self.symbols);
@@ -647,6 +709,26 @@ fn end_of(of: &Tree, by: &Name, end: &Tree) -> End {
         .is_none_or(|value| value.is_finite() && value.abs() < 1e9);
     if is_finite { End::Proper } else { End::Singular }
 }
+
+const SINGULAR: Unwritten = Unwritten::Not("an integral over a point at which its integrand has no value");
+
+/// Returns true if the integrand has no finite value somewhere between the ends, as it is sampled, letters taken to be some
+/// numbers. In Rocq the integral has some value then too.
+fn is_singular_between(of: &Tree, by: &Name, limits: &(Tree, Tree)) -> bool {
+    let value = |letter: &Name| 0.7 + 0.01 * letter.to_string().bytes().map(f64::from).sum::<f64>().sin();
+    let (Some(from), Some(to)) = (guess(&limits.0, &value), guess(&limits.1, &value)) else {
+        return false;
+    };
+    let places = (1..SAMPLES).map(|n| from + (to - from) * f64::from(n) / f64::from(SAMPLES));
+    let whole = (-3..=3).map(f64::from).filter(|at| (at - from) * (at - to) < 0.0);
+    places.chain(whole).any(|at| {
+        let value = guess(of, &|letter| if letter == by { at } else { value(letter) });
+        value.is_some_and(|value| !value.is_finite() || value.abs() > 1e9)
+    })
+}
+
+/// The places at which an integrand is sampled; divisible, so that thirds, quarters and fifths are among them.
+const SAMPLES: u32 = 240;
 
 /// The value of a tree as a machine number; `None` where a function is not known here.
 fn guess(tree: &Tree, value: &dyn Fn(&Name) -> f64) -> Option<f64> {
@@ -786,6 +868,25 @@ mod tests {
         );
         let limit = written(r"\lim_{x \to 0} \frac{\sin x}{x} = 1", "");
         assert!(limit.contains("is_lim (fun x : R => ((sin x) / x)) 0 1."), "{limit}");
+    }
+
+    #[test]
+    fn what_rocq_would_read_in_another_way_is_not_written_as_printed() {
+        for tex in [
+            r"\int_{-1}^{1} \frac{1}{\sqrt{|x|}} dx = 4",
+            r"\int_1^0 \frac{1}{\sqrt x} dx = -2",
+            r"\int_0^b \frac{1}{\sqrt x} dx = \sqrt b",
+            r"\prod_{k=1}^n \frac{a+k}{a+k-1} = \frac{a+n}{a}",
+            r"\frac{d}{dx} f(x)^2 = 2 f(x)",
+        ] {
+            let text = format!(
+                "title = \"t\"\n[symbols]\nparameters = ['a', 'b', 'x']\nintegers = ['n', 'k']\n\
+                 functions = {{ f = 'g', g = '' }}\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\ntex = '{tex}'\n"
+            );
+            let sheet = Sheet::read(&text, &texmath::Symbols::default()).expect("a sheet");
+            let files = files(&sheet, 0, &decided(&sheet, 0, &Options::default()));
+            assert!(files.first().is_some_and(Result::is_err), "{tex}");
+        }
     }
 
     #[test]
