@@ -1,6 +1,6 @@
 //! `lsp`, by a client that is written from the specification of the Language Server Protocol.
 
-use crate::common::program::program;
+use crate::common::program::{program, scratch};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Stdio};
@@ -449,4 +449,47 @@ fn wrong_messages_have_their_errors_and_end_nothing() {
     assert_eq!(editor.end(false), Some(0));
     let editor = Editor::ready();
     assert_eq!(editor.end(true), Some(1));
+}
+
+#[test]
+fn a_quick_fix_keeps_what_the_formula_does_not_say() {
+    // brackets that are sized, labels, alignment and comments
+    for (text, line, wanted) in [
+        (
+            "% audit: symbols x, y\n\\[ \\left( x+y \\right)^{2} = x^{2} + 3 x y + {y}^{2} \\] % audit: claim\n",
+            1,
+            "% audit: symbols x, y\n\\[ \\left( x+y \\right)^{2} = x^2 + 2 x y + y^2 \\] % audit: claim\n",
+        ),
+        (
+            "% audit: symbols x, y\n\\begin{align} (x+y)^2 \\label{a} % audit: claim\n  &= x^2 + 3xy + y^2 \\tag{A} % todo\n\\end{align}\n",
+            1,
+            "% audit: symbols x, y\n\\begin{align} (x+y)^2 \\label{a} % audit: claim\n  &= x^2 + 2 x y + y^2 \\tag{A} % todo\n\\end{align}\n",
+        ),
+    ] {
+        let mut editor = Editor::ready();
+        editor.open(URI, "latex", text);
+        editor.diagnostics(URI, 1);
+        let actions = editor.actions(URI, line, 20);
+        assert_eq!(applied(text, &actions[0]), wanted, "{actions:?}");
+    }
+}
+
+#[test]
+fn a_file_that_is_saved_is_read_anew_where_others_include_it() {
+    let scratch = scratch("lsp_included");
+    let included = scratch.file("macros.tex", "\\newcommand{\\double}{2 x}\n");
+    let uri = format!("file://{}", included.replace("macros.tex", "main.tex"));
+    let text = "% audit: symbols x\n\\input{macros}\n\\[ x + x = \\double \\] % audit: claim\n";
+    let mut editor = Editor::ready();
+    editor.open(&uri, "latex", text);
+    assert_eq!(editor.diagnostics(&uri, 1), Vec::<Value>::new());
+    scratch.file("macros.tex", "\\newcommand{\\double}{9 x}\n");
+    editor.notify("textDocument/didSave", json!({ "textDocument": { "uri": uri } }));
+    let found = loop {
+        let found = editor.diagnostics(&uri, 1);
+        if !found.is_empty() {
+            break found;
+        }
+    };
+    assert_eq!(found[0]["code"], "refuted", "{found:?}");
 }

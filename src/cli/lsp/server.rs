@@ -369,6 +369,16 @@ impl Server {
                     _ => Err(Error::params("`contentChanges` should have the whole text")),
                 }
             }
+            // what a document includes may have changed
+            "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
+                let state = self.shared.state();
+                let open = state.documents.iter();
+                let open = open.map(|(uri, document)| (uri.clone(), document.version, document.text.to_string()));
+                let open: Vec<_> = open.collect();
+                drop(state);
+                open.into_iter()
+                    .try_for_each(|(uri, version, text)| self.set(uri, None, version, text))
+            }
             "textDocument/didClose" => {
                 let uri = text(&params, "/textDocument/uri")?;
                 let mut state = self.shared.state();
@@ -433,7 +443,7 @@ fn capabilities() -> Value {
     json!({
         "capabilities": {
             "positionEncoding": "utf-16",
-            "textDocumentSync": { "openClose": true, "change": 1 },
+            "textDocumentSync": { "openClose": true, "change": 1, "save": true },
             "hoverProvider": true,
             "codeActionProvider": { "codeActionKinds": ["quickfix"] },
         },
