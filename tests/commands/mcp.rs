@@ -247,7 +247,7 @@ fn the_results_of_all_tools_are_as_their_schemas_say() {
         (
             "repair",
             json!({ "path": "fall.tex", "label": "3" }),
-            "replace `v^2 = g (H - h)` by",
+            "replace `g (H - h)` by",
         ),
         ("check", json!({ "directory": "mine" }), "reproduced"),
         ("orbits", json!({ "text": scene }), "complete: true"),

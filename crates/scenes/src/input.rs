@@ -53,9 +53,11 @@ pub fn lines(mut from: impl BufRead) -> impl Iterator<Item = io::Result<String>>
 /// [`io::ErrorKind::InvalidInput`] if it is not a regular file, and the errors of the system.
 pub fn open_regular(path: &Path) -> io::Result<File> {
     // looked at before it is opened: to open a pipe waits for its writer
-    match fs::metadata(path)?.is_file() {
-        true => File::open(path),
-        false => Err(io::Error::new(
+    let kind = fs::metadata(path)?.file_type();
+    match (kind.is_file(), kind.is_dir()) {
+        (true, _) => File::open(path),
+        (_, true) => Err(io::ErrorKind::IsADirectory.into()),
+        _ => Err(io::Error::new(
             io::ErrorKind::InvalidInput,
             "it is not a regular file; write it to a file first",
         )),
