@@ -68,7 +68,15 @@ pub fn checked(folder: &PathBuf, texts: &[String], theorems: &[&str]) -> Vec<Opt
     writer.join().unwrap().unwrap();
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     let faults = String::from_utf8_lossy(&output.stderr);
-    (0..texts.len())
+    // a file may end the program, as by the memory that it takes; what follows is checked by another one
+    let ended = (0..texts.len())
+        .find(|number| !said.contains(&format!("END {number}\n")))
+        .unwrap_or(texts.len());
+    let rest = match texts.get(ended + 1..) {
+        Some(rest) if !rest.is_empty() => checked(folder, rest, theorems),
+        _ => Vec::new(),
+    };
+    (0..texts.len().min(ended + 1))
         .map(|number| {
             let from = if number == 0 {
                 0
@@ -99,5 +107,6 @@ pub fn checked(folder: &PathBuf, texts: &[String], theorems: &[&str]) -> Vec<Opt
             };
             (!is_accepted).then(fault)
         })
+        .chain(rest)
         .collect()
 }
