@@ -65,7 +65,8 @@ pub fn checked(folder: &PathBuf, texts: &[String], theorems: &[&str]) -> Vec<Opt
     let writer = std::thread::spawn(move || pipe.write_all(input.as_bytes()));
     // it says errors on the error stream, in the order of commands
     let output = process.wait_with_output().unwrap();
-    writer.join().unwrap().unwrap();
+    // one that has ended reads no more
+    let _ = writer.join().unwrap();
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     let faults = String::from_utf8_lossy(&output.stderr);
     // a file may end the program, as by the memory that it takes; what follows is checked by another one
