@@ -93,7 +93,7 @@ fn trimmed(tex: &str, range: Range<usize>) -> Option<Range<usize>> {
     (start < end).then_some(start..end)
 }
 
-/// What sizes a bracket, which belongs to what begins with that bracket.
+/// Commands that size a bracket; they belong to the formula that begins with the bracket.
 const SIZES: [&str; 10] = [
     r"\left", r"\mleft", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl", r"\big", r"\Big", r"\bigg", r"\Bigg",
 ];

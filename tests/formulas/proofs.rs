@@ -305,7 +305,7 @@ fn all_data(sheet: &Sheet) -> Vec<(String, String)> {
     claims.flat_map(data).collect()
 }
 
-/// What the checker leaves out to be short.
+/// The word of the checker for files that it leaves out to be short.
 const LEFT_OUT: &str = ": left out: ";
 
 #[test]

@@ -42,8 +42,7 @@ impl Write for Fingerprint {
 
 impl Sheet {
     /// Returns a fingerprint of each entry: of everything that is printed and read of it but its place in the
-    /// file and the positions of what
-    /// it follows from, which depend on other entries.
+    /// file and the positions of what it follows from, which depend on other entries.
     pub fn fingerprints(&self) -> Vec<Fingerprint> {
         let printed = self
             .printed()

@@ -200,7 +200,6 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The value of a term as TeX.
     /// The value of a term as TeX; its first figures and `...` where the exact value takes too many characters to be read.
     fn shown(&mut self, term: Term) -> String {
         let value = self.of(term);

@@ -1,4 +1,4 @@
-//! What names mean in the printed formulas of a question; texts as JSON and Python write them.
+//! Meanings of names in the printed formulas of a question, and texts as JSON writes them.
 
 use claims::{Local, Question, Statements};
 use texmath::{Equation, Name, Symbols, Tree, flies, index_of, subscript_of};
@@ -27,7 +27,7 @@ pub struct Unknown {
     pub order: u32,
 }
 
-/// What names mean within one formula.
+/// Meanings of names within one formula.
 #[derive(Clone, Copy)]
 pub struct Within<'a> {
     symbols: &'a Symbols,

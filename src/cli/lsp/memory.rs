@@ -20,8 +20,7 @@ const MOST_KEPT: usize = 20_000;
 /// Keys of the claims of a sheet.
 pub struct Keys {
     /// A key of all that a verdict depends on: the claim and what it follows from, over any number of steps, as
-    /// printed and as read;
-    /// what is declared of the names in them; the names that definitions give; and the options.
+    /// printed and as read; what is declared of the names in them; the names that definitions give; and the options.
     alone: Vec<u128>,
     /// A key of all that repairs depend on too: the entries around the claim, the laws before it, and which
     /// names there are.
@@ -232,8 +231,7 @@ pub struct Decided {
 
 impl Memory {
     /// Decides the claims of a sheet on all cores, with the repairs of refuted ones where they are asked for.
-    /// What is stopped on the
-    /// way is not kept.
+    /// Decisions that are stopped on the way are not kept.
     ///
     /// # Errors
     /// The faults of [`judge`], and a token that is stopped.

@@ -247,10 +247,9 @@ struct Given(Map<String, Value>);
 
 impl Given {
     fn text(&self, name: &str) -> Result<Option<&str>, Error> {
-        let text = |value: &'_ Value| value.as_str().is_some();
         match self.0.get(name) {
             None | Some(Value::Null) => Ok(None),
-            Some(value) if text(value) => Ok(value.as_str()),
+            Some(Value::String(text)) => Ok(Some(text)),
             Some(_) => Err(Error::params(format!("`{name}` should be a string"))),
         }
     }

@@ -75,11 +75,12 @@ pub fn files(sheet: &Sheet, position: usize, decided: &[Decided]) -> Vec<Result<
 
 /// The theorem that a file proves, without its proof.
 pub fn theorem(file: &str) -> Option<&str> {
-    let begin = ["Theorem holds", "Theorem fails"]
+    // in a line of its own: a label may say the same
+    let begin = ["\nTheorem holds :", "\nTheorem fails :"]
         .iter()
         .find_map(|name| file.find(name))?;
     let end = file[begin..].find("\nProof.")?;
-    Some(&file[begin..begin + end])
+    Some(&file[begin + 1..begin + end])
 }
 
 /// The file about a claim with operations.
@@ -632,6 +633,11 @@ impl Theorem {
         text + "exact I.\nQed.\n"
     }
 
+    /// The theorem that the proposition fails, and how its proof begins.
+    fn denied(&self, steps: &Steps) -> String {
+        format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W9.\n", self.stated(steps))
+    }
+
     /// The theorem that the proposition fails, by its counterexample.
     fn refuted(mut self, steps: &mut Steps, witness: &With<Witness>) -> Result<String, Unwritten> {
         self.of_names_in(&[], steps);
@@ -639,7 +645,7 @@ impl Theorem {
             return Err(Unwritten::Not("a counterexample with a derivative along a map"));
         }
         let values = values(steps, witness)?;
-        let mut text = format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W9.\n", self.stated(steps));
+        let mut text = self.denied(steps);
         let _ = writeln!(text, "assert (X := W9 {}).\ncbv beta in X.", values.join(" "));
         for _ in &self.hypotheses {
             text += "meet X.\n";
@@ -680,7 +686,7 @@ impl Theorem {
             ));
         }
         self.of_names_in(&[&tactics, other.as_deref().unwrap_or_default()], steps);
-        let mut text = format!("Theorem fails :\n  ~ (\n{}).\nProof.\nintro W9.\n", self.stated(steps));
+        let mut text = self.denied(steps);
         let values = values(steps, witness)?;
         for (name, value) in self.variables(steps).iter().zip(values) {
             let _ = writeln!(text, "destruct (has_name {value}) as [{name} E_{name}].");

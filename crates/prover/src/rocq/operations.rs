@@ -702,10 +702,9 @@ fn end_of(of: &Tree, by: &Name, end: &Tree) -> End {
     if has_operation(end) {
         return End::Infinite;
     }
-    let value = |letter: &Name| 0.7 + 0.01 * letter.to_string().bytes().map(f64::from).sum::<f64>().sin();
-    let at = guess(end, &value);
+    let at = guess(end, &some_number);
     let is_finite = at
-        .and_then(|at| guess(of, &|letter| if letter == by { at } else { value(letter) }))
+        .and_then(|at| guess(of, &|letter| if letter == by { at } else { some_number(letter) }))
         .is_none_or(|value| value.is_finite() && value.abs() < 1e9);
     if is_finite { End::Proper } else { End::Singular }
 }
@@ -715,20 +714,24 @@ const SINGULAR: Unwritten = Unwritten::Not("an integral over a point at which it
 /// Returns true if the integrand has no finite value somewhere between the ends, as it is sampled, letters taken to be some
 /// numbers. In Rocq the integral has some value then too.
 fn is_singular_between(of: &Tree, by: &Name, limits: &(Tree, Tree)) -> bool {
-    let value = |letter: &Name| 0.7 + 0.01 * letter.to_string().bytes().map(f64::from).sum::<f64>().sin();
-    let (Some(from), Some(to)) = (guess(&limits.0, &value), guess(&limits.1, &value)) else {
+    let (Some(from), Some(to)) = (guess(&limits.0, &some_number), guess(&limits.1, &some_number)) else {
         return false;
     };
     let places = (1..SAMPLES).map(|n| from + (to - from) * f64::from(n) / f64::from(SAMPLES));
     let whole = (-3..=3).map(f64::from).filter(|at| (at - from) * (at - to) < 0.0);
     places.chain(whole).any(|at| {
-        let value = guess(of, &|letter| if letter == by { at } else { value(letter) });
+        let value = guess(of, &|letter| if letter == by { at } else { some_number(letter) });
         value.is_some_and(|value| !value.is_finite() || value.abs() > 1e9)
     })
 }
 
 /// The places at which an integrand is sampled; divisible, so that thirds, quarters and fifths are among them.
 const SAMPLES: u32 = 240;
+
+/// A number in place of a letter, another for each.
+fn some_number(letter: &Name) -> f64 {
+    0.7 + 0.01 * letter.to_string().bytes().map(f64::from).sum::<f64>().sin()
+}
 
 /// The value of a tree as a machine number; `None` where a function is not known here.
 fn guess(tree: &Tree, value: &dyn Fn(&Name) -> f64) -> Option<f64> {
@@ -806,7 +809,7 @@ fn has_operation(tree: &Tree) -> bool {
     texmath::any(tree, &mut |node| matches!(node, Tree::Operation(..)))
 }
 
-/// What is divided by outside of operations.
+/// Finds the divisors that stand outside of operations.
 fn divisors<'t>(tree: &'t Tree, found: &mut Vec<&'t Tree>) {
     match tree {
         Tree::Operation(..) => return,

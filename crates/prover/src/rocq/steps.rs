@@ -48,15 +48,13 @@ struct Chains {
 }
 
 impl Chains {
-    /// No sums yet, of steps in one scope.
+    /// Counts how often steps of one scope use each fact; no sum is known yet.
     fn new(steps: &[Inference]) -> Self {
         let (mut uses, mut open) = (BTreeMap::new(), steps.iter().collect::<Vec<_>>());
         while let Some(step) = open.pop() {
             open.extend(step.within());
-            if let Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } =
-                step
-            {
-                terms.iter().for_each(|(_, fact)| *uses.entry(*fact).or_insert(0) += 1);
+            for (_, fact) in combination_of(step) {
+                *uses.entry(*fact).or_insert(0) += 1;
             }
         }
         Self {
@@ -84,19 +82,14 @@ impl Chains {
 
     /// Returns the step with the sums that it uses as multiples written out.
     fn joined<'s>(&mut self, step: &'s Inference) -> Cow<'s, Inference> {
-        let mut step = Cow::Borrowed(step);
-        let (Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. }) = &*step
-        else {
-            return step;
-        };
         let is_multiple = |(coefficient, fact): &(Polynomial, usize)| {
             self.sums.contains_key(fact) && coefficient.as_constant().is_some()
         };
-        if !terms.iter().any(is_multiple) {
-            return step;
+        if !combination_of(step).iter().any(is_multiple) {
+            return Cow::Borrowed(step);
         }
         let mut all: BTreeMap<usize, Polynomial> = BTreeMap::new();
-        for (coefficient, fact) in terms.clone() {
+        for (coefficient, fact) in combination_of(step).to_vec() {
             let (sum, factor) = match (coefficient.as_constant(), self.sums.remove(&fact)) {
                 (Some(constant), Some(sum)) => (sum, constant),
                 _ => (vec![(coefficient, fact)], Rational::one()),
@@ -106,12 +99,21 @@ impl Chains {
                 *known = known.plus(&own.scaled(&factor));
             }
         }
+        let mut step = step.clone();
         if let Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } =
-            step.to_mut()
+            &mut step
         {
             *terms = all.into_iter().map(|(fact, coefficient)| (coefficient, fact)).collect();
         }
-        step
+        Cow::Owned(step)
+    }
+}
+
+/// The multiples of facts that a step adds up.
+fn combination_of(step: &Inference) -> &[(Polynomial, usize)] {
+    match step {
+        Inference::Zero { terms, .. } | Inference::Nonzero { terms, .. } | Inference::Sign { terms, .. } => terms,
+        _ => &[],
     }
 }
 
