@@ -18,8 +18,8 @@ struct Harmonic<T> {
 /// f(t), a sum of harmonics of one period. The paper's cos(pi t + phi) is [`Forcing::harmonic`].
 ///
 /// Flights, the map from impact to impact and its Jacobian ([`Flight`](super::Flight), [`next_impact`](super::next_impact()),
-/// [`Passage`](super::Passage)) are those of any such forcing. What simulates, chatters and rests, and all that is proved of
-/// periodic motions, is of the paper's forcing alone, and takes no `Forcing`.
+/// [`Passage`](super::Passage)) take any such forcing. What simulates, and what looks for periodic motions, takes that of the
+/// [`Motion`](super::Motion), of period 2.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forcing<T> {
     period: T,
@@ -103,6 +103,22 @@ impl<T: Analytic> Forcing<T> {
     /// The period.
     pub fn period(&self) -> &T {
         &self.period
+    }
+
+    /// The harmonics, in order: order, cosine amplitude, sine amplitude.
+    pub fn harmonics(&self) -> impl ExactSizeIterator<Item = (i64, &T, &T)> {
+        let harmonics = self.harmonics.iter();
+        harmonics.map(|harmonic| (harmonic.order, &harmonic.cosine, &harmonic.sine))
+    }
+
+    /// -f(t - period / 2): odd harmonics stay, even ones change their sign.
+    pub(super) fn mirrored(&self) -> Self {
+        let mut mirrored = self.clone();
+        for harmonic in mirrored.harmonics.iter_mut().filter(|harmonic| harmonic.order % 2 == 0) {
+            harmonic.cosine = -harmonic.cosine.clone();
+            harmonic.sine = -harmonic.sine.clone();
+        }
+        mirrored
     }
 
     /// `time` less whole periods, in [0, period] (the period itself only by rounding). What is not finite stays.

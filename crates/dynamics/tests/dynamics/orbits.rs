@@ -398,7 +398,9 @@ fn the_mirrored_motion_has_the_mirrored_orbits() {
 
 /// Walls exchanged, gravity reversed, phases half a turn on: the top impact is the bottom one of the image.
 fn mirror(case: &Case) -> Result<(), String> {
-    let images = Case::new((case.motion.mirrored(), case.periods)).found.orbits;
+    let images = Case::new((case.motion.mirrored().expect("two walls"), case.periods))
+        .found
+        .orbits;
     ensure(images.len() == case.found.orbits.len(), || {
         format!("{} and {} orbits", case.found.orbits.len(), images.len())
     })?;

@@ -60,7 +60,7 @@ proptest! {
         let mirrored = Start { side: Side::Top, phase: phase + PI, velocity: -velocity };
         let turned = Start { phase: phase + 3.0 * TAU, ..start.clone() };
         let mut followed = Simulation::new(&motion, &start).with_growth();
-        let mut image = Simulation::new(&motion.mirrored(), &mirrored).with_growth();
+        let mut image = Simulation::new(&motion.mirrored().expect("two walls"), &mirrored).with_growth();
         let mut turned = Simulation::new(&motion, &turned).with_growth();
         for _ in 0..20 {
             let [event, image_event, turned_event] = [followed.next(), image.next(), turned.next()];

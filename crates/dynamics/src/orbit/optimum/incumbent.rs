@@ -282,8 +282,7 @@ fn clearance(motion: &Motion<f64>, periods: u32, at: [f64; 2]) -> Option<Option<
 /// Where h_2 = 0 says nothing of the phase, at T_1 = n odd of a device that is its own mirror image, the motions that
 /// Newton's method leads to.
 fn symmetric(motion: &Motion<f64>, balance: &OneOneEquations<f64>, periods: u32) -> Vec<[f64; 2]> {
-    let mirrored = motion.mirrored();
-    if mirrored != *motion || periods.is_multiple_of(2) {
+    if motion.mirrored().as_ref() != Some(motion) || periods.is_multiple_of(2) {
         return Vec::new();
     }
     let turn = 2.0 * std::f64::consts::PI;
