@@ -15,11 +15,7 @@ fn motion(g: f64, d: f64, r_b: f64, r_t: f64) -> Motion<f64> {
 }
 
 fn start() -> Start<f64> {
-    Start {
-        side: Side::Bottom,
-        phase: 6.18,
-        velocity: 0.5293,
-    }
+    Start::impact(Side::Bottom, 6.18, 0.5293)
 }
 
 /// g of the paper's device at pi/6.

@@ -21,11 +21,7 @@ pub fn motion(d: f64, r_b: f64, r_t: f64) -> Motion<f64> {
 
 /// Where every figure of the paper starts.
 pub fn start() -> Start<f64> {
-    Start {
-        side: Side::Bottom,
-        phase: 6.18,
-        velocity: 0.5293,
-    }
+    Start::impact(Side::Bottom, 6.18, 0.5293)
 }
 
 /// L, the latency of one pair by Rust's `sin_cos` or the C library's `sincos`, whichever is less: each argument waits for

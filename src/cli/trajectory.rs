@@ -3,13 +3,13 @@
 use super::rows::Rows;
 use super::simulate::DIGITS;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::impact::{self, Event, Extent, Row, Snapshot, Trajectory, rows};
+use crate::impact::{self, Event, Extent, Origin, Row, Snapshot, Trajectory, rows};
 use crate::model::{MotionError, Scales};
 use crate::number::{FIGURES_OF_F64, Rung};
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Scene, Setting, Start, Want};
 use std::cell::RefCell;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::rc::Rc;
 use std::str::FromStr;
 
@@ -113,7 +113,9 @@ fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<R
     let mut events = events(scene, options, u64::MAX, until)?;
     let latest = Rc::new(RefCell::new(Latest::default()));
     let seen = Rc::clone(&latest);
-    let mut first = None;
+    let start: impact::Start<f64> = scene.start()?.start();
+    let phase = start.phase.rem_euclid(TAU);
+    let mut first = start.position.map(|_| phase);
     let told = std::iter::from_fn(move || {
         let told = events.next();
         let mut latest = seen.borrow_mut();
@@ -129,7 +131,10 @@ fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<R
             }
         }
     });
-    let mut trajectory = Trajectory::new(motion, told);
+    let mut trajectory = match start.position {
+        None => Trajectory::new(motion, told),
+        Some(position) => Trajectory::in_flight(motion, phase, position, start.velocity, told),
+    };
     let mut index = 0;
     let rows = std::iter::from_fn(move || {
         if index == samples {
@@ -222,7 +227,7 @@ fn time_of_impact(scene: &Scene, options: &Options, impact: u32) -> Result<f64, 
     Ok(told.rows.back().map_or(0.0, |row| row.time))
 }
 
-/// An event with its turn of the forcing, counted from that of the first event, of phase `first`.
+/// An event with its turn of the forcing, counted from that of the start, of phase `first`.
 fn event(row: &Row<f64>, first: f64) -> Event<f64> {
     Event {
         kind: row.kind,

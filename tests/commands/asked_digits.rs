@@ -119,11 +119,7 @@ fn orbits_have_the_digits_asked_at_close_to_the_least_cost() {
 fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
     for (index, motion) in motions(72).iter().enumerate() {
         let digits = digits(index);
-        let start = Start {
-            side: Side::Bottom,
-            phase: 0.5 + 0.02 * index as f64,
-            velocity: 0.6,
-        };
+        let start = Start::impact(Side::Bottom, 0.5 + 0.02 * index as f64, 0.6);
         let extent = Extent {
             impacts: 12,
             until: f64::INFINITY,
@@ -184,11 +180,7 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
 
 /// The statistics of voltage-like velocities of a motion, after 500 impacts.
 fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics> {
-    let start = Start {
-        side: Side::Bottom,
-        phase: 6.18,
-        velocity: 0.5293,
-    };
+    let start = Start::impact(Side::Bottom, 6.18, 0.5293);
     let settled = SteadyState::after(Widening::new(motion, &start), 500, 60);
     let voltage = |impact: &Event<f64>| impact.velocity.abs();
     let measure = Averaging {

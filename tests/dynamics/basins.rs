@@ -46,7 +46,7 @@ fn joined(text: &str) -> Vec<f64> {
 /// So many events of a motion from this number on.
 fn events(motion: &Motion<f64>, phase: f64, velocity: f64, first: usize, count: usize) -> Vec<Event<f64>> {
     let side = Side::Bottom;
-    let simulation = Simulation::new(motion, &Start { side, phase, velocity });
+    let simulation = Simulation::new(motion, &Start::impact(side, phase, velocity));
     simulation.skip(first).take(count).collect()
 }
 

@@ -226,11 +226,7 @@ fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit
         for row in 0..40 {
             let [d, r_b] = ["x", "y"].map(|column| map.numbers(column)[row]);
             let motion = Motion::new(g, d, r_b, r_t).expect("a motion");
-            let start = Start {
-                side: Side::Bottom,
-                phase: 6.18,
-                velocity: 0.5293,
-            };
+            let start = Start::impact(Side::Bottom, 6.18, 0.5293);
             if map.texts("digits")[row] == "0" {
                 continue;
             }

@@ -142,11 +142,7 @@ fn digits_of_proved_events_are_those_of_the_decimals_that_are_printed() {
 }
 
 fn start(phase: f64, velocity: f64) -> Start<f64> {
-    Start {
-        side: Side::Bottom,
-        phase,
-        velocity,
-    }
+    Start::impact(Side::Bottom, phase, velocity)
 }
 
 fn told(motion: &Motion<f64>, start: &Start<f64>, impacts: u64, digits: u32) -> History<f64> {
@@ -324,11 +320,7 @@ fn differences_of_the_simulated_map_have_the_trace_and_determinant_of_the_orbit(
             for orbit in found.orbits.iter().filter(|orbit| orbit.admissible) {
                 let exact = motion.convert(wide).expect("a motion");
                 let flown = |phase: Number, velocity: Number| {
-                    let start = Start {
-                        side: Side::Bottom,
-                        phase,
-                        velocity,
-                    };
+                    let start = Start::impact(Side::Bottom, phase, velocity);
                     let end = Simulation::new(&exact, &start)
                         .nth(orbit.velocities.len())
                         .expect("an impact");

@@ -421,7 +421,7 @@ fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics
     let (phase, velocity) = (sequence.between(0.0, std::f64::consts::TAU), sequence.between(0.2, 1.2));
     let side = Side::Bottom;
     let settled = SteadyState::after(
-        Widening::new(motion, &Start { side, phase, velocity }).without_growth(),
+        Widening::new(motion, &Start::impact(side, phase, velocity)).without_growth(),
         500,
         60,
     );

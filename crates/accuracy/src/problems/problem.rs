@@ -247,10 +247,6 @@ pub(super) struct Begin {
 
 impl Origin for Begin {
     fn start<T: Analytic>(&self) -> Start<T> {
-        Start {
-            side: self.side,
-            phase: self.phase.value(),
-            velocity: self.velocity.value(),
-        }
+        Start::impact(self.side, self.phase.value(), self.velocity.value())
     }
 }

@@ -142,7 +142,9 @@ fn plain(problem: &Problem, given: &Given, begin: &Begin) -> Result<(Vec<Told<f6
 
 /// The start at time 0, under the forcing cos(pi t + phase).
 fn departure<T: Analytic>(begin: &Begin) -> (Forcing<T>, Impact<T>) {
-    let Start { side, phase, velocity } = begin.start::<T>();
+    let Start {
+        side, phase, velocity, ..
+    } = begin.start::<T>();
     let time = T::zero();
     (Forcing::harmonic(&phase), Impact { side, time, velocity })
 }

@@ -57,11 +57,7 @@ impl Chatter {
         let [r, g, phase, velocity] = moved;
         let (d, r_t) = (T::from_f64(D), T::from_f64(R_T));
         let motion = Motion::new(at(G, g), d, at(self.r, r), r_t).ok()?;
-        let start = Start {
-            side: Side::Bottom,
-            phase: at(PHASE, phase),
-            velocity: at(self.velocity, velocity),
-        };
+        let start = Start::impact(Side::Bottom, at(PHASE, phase), at(self.velocity, velocity));
         let simulation = Simulation::new(&motion, &start).completing_to(completing);
         let mut events = simulation.take(MOST_IMPACTS);
         let rest = events.find(|event| event.kind != Kind::Impact)?;

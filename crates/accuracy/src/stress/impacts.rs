@@ -33,11 +33,7 @@ pub(super) struct KnownImpact {
 
 fn motion<T: Analytic>([g, d, r_b, r_t, phase, velocity]: &[T; 6]) -> Option<(Motion<T>, Start<T>)> {
     let motion = Motion::new(g.clone(), d.clone(), r_b.clone(), r_t.clone()).ok()?;
-    let start = Start {
-        side: Side::Bottom,
-        phase: phase.clone(),
-        velocity: velocity.clone(),
-    };
+    let start = Start::impact(Side::Bottom, phase.clone(), velocity.clone());
     Some((motion, start))
 }
 

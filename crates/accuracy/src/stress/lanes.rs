@@ -60,11 +60,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
 /// The impact in lanes.
 fn in_lanes([g, d, r_b, r_t, phase, velocity]: &[f64; 6]) -> Option<OrbitImpact<Exact>> {
     let motion = Motion::new(*g, *d, *r_b, *r_t).ok()?;
-    let start = Start {
-        side: Side::Bottom,
-        phase: *phase,
-        velocity: *velocity,
-    };
+    let start = Start::impact(Side::Bottom, *phase, *velocity);
     let motions = vec![(motion, start); MOTIONS];
     let mut events = Vec::new();
     Batch::new(&motions).run(u64::from(IMPACTS) + 1, |index, event| {

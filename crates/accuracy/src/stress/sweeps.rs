@@ -166,11 +166,7 @@ fn gathered(orbit: &RoundedOrbit) -> f64 {
 
 fn start(orbit: &RoundedOrbit) -> Option<Start<f64>> {
     let (phase, velocity) = orbit.phases.first().zip(orbit.velocities.first())?;
-    Some(Start {
-        side: Side::Bottom,
-        phase: *phase + OFF,
-        velocity: velocity * (1.0 + OFF),
-    })
+    Some(Start::impact(Side::Bottom, *phase + OFF, velocity * (1.0 + OFF)))
 }
 
 /// Of phases and velocities; times are not told.

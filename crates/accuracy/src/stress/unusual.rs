@@ -92,11 +92,7 @@ fn duration(at: &Inputs) -> Result<f64, String> {
 
 /// The phase of the first event after the start, where there is one that is decided.
 fn next_phase(at: &Inputs) -> Result<f64, String> {
-    let start = Start {
-        side: Side::Bottom,
-        phase: at.of("phase"),
-        velocity: at.of("velocity"),
-    };
+    let start = Start::impact(Side::Bottom, at.of("phase"), at.of("velocity"));
     let next = Simulation::new(&motion(at)?, &start).nth(1);
     let next = next.filter(|event| event.kind != What::Undecided);
     next.map(|event| event.phase).ok_or_else(|| "undecided".to_owned())

@@ -61,11 +61,7 @@ impl Point {
     }
 
     fn start<T: Analytic>(&self) -> Start<T> {
-        Start {
-            side: Side::Bottom,
-            phase: T::from_f64(self.phase),
-            velocity: T::from_f64(self.velocity),
-        }
+        Start::impact(Side::Bottom, T::from_f64(self.phase), T::from_f64(self.velocity))
     }
 
     /// The start as flights and maps have it.

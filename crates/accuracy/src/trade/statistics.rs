@@ -112,7 +112,7 @@ fn devices(region: Region, options: &TradeOptions) -> Vec<Device> {
 
 fn device(region: Region, motion: Motion<f64>) -> Option<Device> {
     let (side, phase, velocity) = (Side::Bottom, 1.0, 0.5);
-    let first = Start { side, phase, velocity };
+    let first = Start::impact(side, phase, velocity);
     let settled = SteadyState::after(Widening::new(&motion, &first).without_growth(), SETTLED, 1);
     let found = match &settled.attractor {
         None => Region::Chaotic,
@@ -124,10 +124,12 @@ fn device(region: Region, motion: Motion<f64>) -> Option<Device> {
     let last = settled.kept.last().filter(|_| found == region)?;
     // what f32 holds exactly, so that all numbers are asked about the same
     let narrow = |value: f64| f64::from(value as f32);
-    let start = |index: usize| Start {
-        side: last.side,
-        phase: narrow(last.phase * (1.0 + APART * index as f64 / STARTS as f64)),
-        velocity: narrow(last.velocity),
+    let start = |index: usize| {
+        Start::impact(
+            last.side,
+            narrow(last.phase * (1.0 + APART * index as f64 / STARTS as f64)),
+            narrow(last.velocity),
+        )
     };
     let device = Device {
         starts: (0..STARTS).map(start).collect(),

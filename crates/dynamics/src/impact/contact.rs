@@ -1,14 +1,13 @@
 //! The first contact of a flight with a wall, with no time step.
 //!
-//! Between two zeros of f + g the distance from a wall is convex or concave, and those zeros are explicit: cos = -g.
+//! Between two zeros of f + g the distance from a wall is convex or concave, and those zeros are known beforehand.
 //! So on each such piece the values at its ends decide: towards the wall that f + g presses it to, the ball arrives
 //! there or not; towards the other it may dip, once, and two tangents or the very bottom of the dip decide.
 
-use super::expansion::{Expansion, seen};
+use super::expansion::Expansion;
 use super::flight::{Arrival, Flight, Stop};
 use super::meeting::{Meeting, Stretch};
-use super::scaled::Scaled;
-use super::swing::REACH;
+use super::waves::Waves;
 use crate::model::Side;
 use numbers::Analytic;
 use std::f64::consts::TAU;
@@ -22,24 +21,24 @@ const MOST_PIECES: u32 = 20_000;
 /// Dips that stay this far from a wall are not looked at more closely when whole turns are skipped.
 const WELL_CLEAR: f64 = 1e-3;
 
-/// A zero of f + g, as an angle after the departure.
+/// A zero of f + g, as an angle after the departure; a whole turn of it where there is none.
 struct Zero<T> {
     angle: T,
-    /// From + to -, so that the bottom presses before and releases after.
-    falling: bool,
+    /// Which of the turns.
+    index: usize,
 }
 
 /// An end of a piece.
 #[derive(Clone, Debug)]
-struct End<T> {
+struct End<T, W> {
     angle: T,
-    there: Expansion<T>,
+    there: Expansion<T, W>,
 }
 
-impl<T: Analytic> Flight<'_, T> {
+impl<T: Analytic, W: Waves<T>> Flight<'_, T, W> {
     /// The next contact. `recent` proposes the angle at which a flight between the two walls ends.
     #[inline]
-    pub fn arrival(&self, recent: &[[f64; 2]; 2]) -> Result<Arrival<T>, Stop> {
+    pub fn arrival(&self, recent: &[[f64; 2]; 2]) -> Result<Arrival<T, W>, Stop> {
         let meeting = Meeting {
             flight: self,
             recent: recent[self.from.side as usize],
@@ -50,7 +49,7 @@ impl<T: Analytic> Flight<'_, T> {
 
     /// Between which angles the ball meets which wall, and the least distance of its dips before.
     #[inline]
-    fn contact(&self, meeting: &Meeting<T>) -> Result<(Stretch, f64), Stop> {
+    fn contact(&self, meeting: &Meeting<T, W>) -> Result<(Stretch, f64), Stop> {
         let mut low = End {
             angle: T::zero(),
             there: self.start.clone(),
@@ -65,11 +64,13 @@ impl<T: Analytic> Flight<'_, T> {
             } else {
                 (near.opposite(), near)
             };
-            match self.dip(meeting, other, [&low, &high])? {
-                Dip::Meets(stretch) => return Ok((stretch, clearance)),
-                Dip::Clear(by) => clearance = clearance.min(by),
+            if self.scaled.has(other) {
+                match self.dip(meeting, other, [&low, &high])? {
+                    Dip::Meets(stretch) => return Ok((stretch, clearance)),
+                    Dip::Clear(by) => clearance = clearance.min(by),
+                }
             }
-            if self.distance(pressing, &high.there).to_f64() <= 0.0 {
+            if self.scaled.has(pressing) && self.distance(pressing, &high.there).to_f64() <= 0.0 {
                 return Ok((self.stretch(pressing, [&low, &high]), clearance));
             }
             let next = self.following(&zero);
@@ -83,7 +84,7 @@ impl<T: Analytic> Flight<'_, T> {
                     let skipped = self.scaled.circle.clone() * T::from_integer(turns);
                     low.angle += skipped.clone();
                     zero.angle += skipped;
-                    low.there = self.start.far(&self.g, &low.angle, low.there.sin, low.there.cos);
+                    low.there = self.start.far(&self.g, &low.angle, low.there.waves);
                 }
             }
         }
@@ -99,84 +100,77 @@ impl<T: Analytic> Flight<'_, T> {
     /// The first zero of f + g after the departure; where there is none, a whole turn.
     fn first_zero(&self) -> Zero<T> {
         let scaled = self.scaled;
-        let Some(turn) = &scaled.turn else {
-            return Zero {
-                angle: scaled.circle.clone(),
-                falling: scaled.g.to_f64() > 0.0,
-            };
-        };
+        if scaled.turns.is_empty() {
+            let angle = scaled.circle.clone();
+            return Zero { angle, index: 0 };
+        }
         if self.from.released {
-            // the bottom releases where f + g falls through 0, and the other zero comes next
-            let falling = self.from.side == Side::Top;
-            return Zero {
-                angle: length(scaled, falling),
-                falling,
-            };
+            return self.following(&self.own_release());
         }
         let phase = &self.from.phase;
-        let first = turn.angle.clone() - phase.clone();
-        if first.to_f64() > 0.0 {
-            return Zero {
-                angle: first,
-                falling: true,
-            };
+        for (index, turn) in scaled.turns.iter().enumerate() {
+            let angle = turn.phase.clone() - phase.clone();
+            if angle.to_f64() > 0.0 {
+                return Zero { angle, index };
+            }
         }
-        let second = scaled.circle.clone() - turn.angle.clone() - phase.clone();
-        if second.to_f64() > 0.0 {
-            return Zero {
-                angle: second,
-                falling: false,
-            };
-        }
+        let angle = scaled.turns[0].phase.clone() - phase.clone() + scaled.circle.clone();
+        Zero { angle, index: 0 }
+    }
+
+    /// The zero of f + g that is releasing the ball.
+    fn own_release(&self) -> Zero<T> {
+        let releases = self.scaled.turns.iter().enumerate();
+        let releases = releases.filter(|(_, turn)| turn.falling == (self.from.side == Side::Bottom));
+        let apart = |phase: &T| (phase.clone() - self.from.phase.clone()).to_f64().abs();
+        let own = releases.min_by(|(_, one), (_, other)| apart(&one.phase).total_cmp(&apart(&other.phase)));
         Zero {
-            angle: first + scaled.circle.clone(),
-            falling: true,
+            angle: T::zero(),
+            index: own.map_or(0, |(index, _)| index),
         }
     }
 
     fn following(&self, zero: &Zero<T>) -> Zero<T> {
-        let scaled = self.scaled;
-        if scaled.turn.is_none() {
+        let turns = &self.scaled.turns;
+        let Some(turn) = turns.get(zero.index) else {
             return Zero {
-                angle: zero.angle.clone() + scaled.circle.clone(),
-                falling: zero.falling,
+                angle: zero.angle.clone() + self.scaled.circle.clone(),
+                index: 0,
             };
-        }
-        let falling = !zero.falling;
+        };
         Zero {
-            angle: zero.angle.clone() + length(scaled, falling),
-            falling,
+            angle: zero.angle.clone() + turn.to_next.clone(),
+            index: if zero.index + 1 == turns.len() {
+                0
+            } else {
+                zero.index + 1
+            },
         }
     }
 
     /// The end of the piece before `zero`, and whether f + g presses the ball on it to the wall it left.
     #[inline]
-    fn end(&self, zero: &Zero<T>) -> (End<T>, bool) {
+    fn end(&self, zero: &Zero<T>) -> (End<T, W>, bool) {
         let side = self.from.side;
-        let pressed = zero.falling == (side == Side::Bottom);
+        let turn = self.scaled.turns.get(zero.index);
+        let pressed = match turn {
+            Some(turn) => turn.falling == (side == Side::Bottom),
+            // f + g is all on one side of 0
+            None => self.start.push.to_f64() > 0.0,
+        };
         let angle = zero.angle.clone();
-        let there = if angle.to_f64() < REACH {
+        let there = if angle.to_f64() < self.scaled.reach {
             self.start.after(&angle, self.scaled.epsilon)
         } else {
-            let (sin, cos) = match &self.scaled.turn {
-                None => (self.start.sin.clone(), self.start.cos.clone()),
-                Some(turn) => {
-                    let sin = if zero.falling {
-                        turn.sin.clone()
-                    } else {
-                        -turn.sin.clone()
-                    };
-                    seen(side, (sin, -self.scaled.g.clone()))
-                }
-            };
-            self.start.far(&self.g, &angle, sin, cos)
+            let waves = turn.map_or_else(|| self.start.waves.clone(), |turn| turn.waves.clone().seen(side));
+            self.start.far(&self.g, &angle, waves)
         };
         (End { angle, there }, pressed)
     }
 
     /// Whether the ball dips into `wall` between two ends, away from which f + g pulls it there.
     #[inline]
-    fn dip(&self, meeting: &Meeting<T>, wall: Side, ends: [&End<T>; 2]) -> Result<Dip, Stop> {
+    fn dip(&self, meeting: &Meeting<T, W>, wall: Side, ends: [&End<T, W>; 2]) -> Result<Dip, Stop> {
         let Stretch {
             low,
             high,
@@ -227,7 +221,7 @@ impl<T: Analytic> Flight<'_, T> {
 
     /// From one end of a piece to the other, with respect to a wall.
     #[inline]
-    fn stretch(&self, wall: Side, ends: [&End<T>; 2]) -> Stretch {
+    fn stretch(&self, wall: Side, ends: [&End<T, W>; 2]) -> Stretch {
         let [low, high] = ends.map(|end| end.angle.to_f64());
         Stretch {
             wall,
@@ -238,15 +232,17 @@ impl<T: Analytic> Flight<'_, T> {
         }
     }
 
-    /// The whole turns after `angle` for which the ball stays well clear of both walls: the mean motion, a parabola,
-    /// is off by one at most.
+    /// The whole turns after `angle` for which the ball stays well clear of the walls: the mean motion, a parabola, is off
+    /// by the bound of F_2 at most.
     fn turns_to_skip(&self, angle: f64) -> Result<i64, Stop> {
         let (start, g, gap) = (&self.start, self.g.to_f64(), self.scaled.gap.to_f64());
-        let (drift, base) = (start.w.to_f64() + start.sin.to_f64(), start.cos.to_f64());
+        let drift = start.w.to_f64() + start.waves.f1().to_f64();
+        let base = start.waves.lowered().to_f64() - start.y.to_f64();
         let mean = |x: f64| (drift - 0.5 * g * x) * x - base;
-        let room = 1.0 + WELL_CLEAR;
+        let room = self.scaled.bounds.f2 + WELL_CLEAR;
+        let highest = if self.scaled.has_top { gap - room } else { f64::INFINITY };
         let mut end = f64::INFINITY;
-        for level in [room, gap - room] {
+        for level in [room, highest] {
             for root in quadratic(-0.5 * g, drift, -base - level) {
                 if root > angle {
                     end = end.min(root);
@@ -254,7 +250,7 @@ impl<T: Analytic> Flight<'_, T> {
             }
         }
         let now = mean(angle);
-        if !(now > room && now < gap - room) {
+        if !(now > room && now < highest) {
             return Ok(0);
         }
         if end.is_infinite() {
@@ -273,15 +269,6 @@ enum Dip {
     Clear(f64),
     /// It touches.
     Meets(Stretch),
-}
-
-/// The length of a piece that ends at a zero of this kind.
-fn length<T: Analytic>(scaled: &Scaled<T>, falling: bool) -> T {
-    let Some(turn) = &scaled.turn else {
-        return scaled.circle.clone();
-    };
-    let twice = turn.angle.clone() + turn.angle.clone();
-    if falling { twice } else { scaled.circle.clone() - twice }
 }
 
 /// The real roots of a x² + b x + c, by the form that does not cancel; NaN where there is none.

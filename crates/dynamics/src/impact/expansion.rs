@@ -2,123 +2,120 @@
 
 use super::scaled::{Departure, Scaled};
 use super::swing::Swing;
-use crate::model::Side;
+use super::waves::{Gains, Waves};
 use numbers::Analytic;
 
-/// The distance from the wall that was left, its rate and the pressure towards that wall, with sine and cosine of the
-/// forcing; all as seen from that wall, so that the top looks as the bottom does: Y'' = -(cos + g).
+/// The distance from the wall that was left, its rate and the pressure towards that wall, with the forcing; all as seen
+/// from that wall, so that the top looks as the bottom does: Y'' = -(f + g).
 #[derive(Clone, Debug)]
-pub(super) struct Expansion<T> {
+pub(super) struct Expansion<T, W> {
     /// Y, at least 0 in flight.
     pub y: T,
     /// Y'.
     pub w: T,
-    /// cos + g: positive where the ball is pressed towards the wall.
+    /// f + g: positive where the ball is pressed towards the wall.
     pub push: T,
-    pub sin: T,
-    pub cos: T,
+    pub waves: W,
 }
 
-impl<T: Analytic> Expansion<T> {
+impl<T: Analytic, W: Waves<T>> Expansion<T, W> {
     /// At the departure.
-    pub fn start(scaled: &Scaled<T>, from: &Departure<T>) -> Self {
-        let [sin, cos, g] = [&from.sin, &from.cos, &scaled.g].map(|value| from.side.signed(value.clone()));
+    pub fn start(scaled: &Scaled<T, W>, from: &Departure<T, W>) -> Self {
+        let waves = from.waves.clone().seen(from.side);
         Self {
-            y: T::zero(),
+            y: from.height.clone().unwrap_or_else(T::zero),
             w: from.speed.clone(),
             // where the ball is being released f + g vanishes, not only to rounding
-            push: if from.released { T::zero() } else { cos.clone() + g },
-            sin,
-            cos,
+            push: if from.released {
+                T::zero()
+            } else {
+                waves.f() + from.side.signed(scaled.g.clone())
+            },
+            waves,
         }
     }
 
-    /// At an angle `x` after the departure, from the departure, by (3) and (4); `sin` and `cos` are those of the
-    /// forcing there. Cancels where `x` is small.
+    /// At an angle `x` after the departure, from the departure, by (3) and (4); `waves` are those there. Cancels where
+    /// `x` is small.
     #[inline]
-    pub fn far(&self, g: &T, x: &T, sin: T, cos: T) -> Self {
-        let drift = self.w.clone() + self.sin.clone();
+    pub fn far(&self, g: &T, x: &T, waves: W) -> Self {
+        let drift = self.w.clone() + self.waves.f1();
         let bent = g.clone() * x.clone();
         let mean = drift.clone() - bent.clone() * T::from_ratio(1, 2);
         Self {
-            y: mean * x.clone() + (cos.clone() - self.cos.clone()),
-            w: drift - bent - sin.clone(),
-            push: cos.clone() + g.clone(),
-            sin,
-            cos,
+            y: self.y.clone() + (mean * x.clone() + (waves.lowered() - self.waves.lowered())),
+            w: drift - bent - waves.f1(),
+            push: waves.f() + g.clone(),
+            waves,
         }
     }
 
-    /// The same flight an angle `step` on, of at most [`REACH`](super::swing::REACH); relative accuracy is kept
-    /// however short it is.
+    /// The same flight an angle `step` on, of at most the reach of the motion; relative accuracy is kept however short it
+    /// is.
     #[inline]
     pub fn after(&self, step: &T, epsilon: f64) -> Self {
-        self.swung(step, Swing::of(step, epsilon))
+        self.swung(step, |angle| Swing::of(angle, epsilon))
     }
 
-    /// The same with the swing of that step.
+    /// The same with the swing of each angle.
     #[inline]
-    pub fn swung(&self, step: &T, swing: Swing<T>) -> Self {
-        let Swing { sin, fall, lag, rest } = swing;
-        let (s, c) = (&self.sin, &self.cos);
-        let turned = c.clone() * fall.clone() + s.clone() * sin.clone();
+    pub fn swung(&self, step: &T, swing: impl Fn(&T) -> Swing<T>) -> Self {
+        let (waves, Gains { f, f1, f2 }) = self.waves.after(step, swing);
         let pressed = self.push.clone() * step.clone();
         let mean = self.w.clone() - pressed.clone() * T::from_ratio(1, 2);
         Self {
-            y: self.y.clone() + (mean * step.clone() + (c.clone() * rest + s.clone() * lag.clone())),
-            w: self.w.clone() - pressed + (c.clone() * lag + s.clone() * fall.clone()),
-            push: self.push.clone() - turned.clone(),
-            sin: s.clone() + (c.clone() * sin - s.clone() * fall),
-            cos: c.clone() - turned,
+            y: self.y.clone() + (mean * step.clone() + f2),
+            w: self.w.clone() - pressed + f1,
+            push: self.push.clone() - f,
+            waves,
         }
     }
-}
-
-/// Sine and cosine as seen from a wall.
-#[inline]
-pub(super) fn seen<T: Analytic>(side: Side, (sin, cos): (T, T)) -> (T, T) {
-    (side.signed(sin), side.signed(cos))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::waves::{Cosine, Several};
     use super::*;
-    use crate::model::Motion;
+    use crate::model::{Forcing, Motion, Side};
 
-    #[test]
-    fn a_short_step_and_the_closed_form_are_one_flight() {
-        for (side, g, phase, speed) in [
-            (Side::Bottom, 0.12, 0.4, 0.9),
-            (Side::Top, -0.7, 3.0, 0.0),
-            (Side::Top, 1.3, 5.0, 2.0),
-        ] {
-            let scaled = Scaled::new(&Motion::new(g, 0.4, 0.6, 0.3).expect("a motion"));
-            let (sin, cos) = f64::sin_cos(phase);
-            let start = Expansion::start(
-                &scaled,
-                &Departure {
-                    side,
-                    phase,
-                    sin,
-                    cos,
-                    speed,
-                    released: false,
-                },
-            );
-            let g = side.signed(g);
-            for x in [0.05, 0.3, 0.49, -0.2] {
-                let (sin, cos) = seen(side, (phase + x).sin_cos());
-                let (far, after) = (start.far(&g, &x, sin, cos), start.after(&x, f64::EPSILON));
+    fn one_flight<W: Waves<f64>>(motion: &Motion<f64>) {
+        for (side, phase, speed) in [(Side::Bottom, 0.4, 0.9), (Side::Top, 3.0, 0.0), (Side::Top, 5.0, 2.0)] {
+            let scaled = Scaled::<f64, W>::new(motion);
+            let from = Departure {
+                side,
+                phase,
+                waves: W::at(&scaled.drive, &phase),
+                speed,
+                height: None,
+                released: false,
+            };
+            let start = Expansion::start(&scaled, &from);
+            let g = side.signed(*motion.g());
+            for x in [0.05, 0.3, 0.49, -0.2].map(|part| part * scaled.reach / 0.5) {
+                let far = start.far(&g, &x, scaled.seen(side, &(phase + x)));
+                let after = start.after(&x, f64::EPSILON);
                 for (a, b) in [
                     (far.y, after.y),
                     (far.w, after.w),
                     (far.push, after.push),
-                    (far.sin, after.sin),
-                    (far.cos, after.cos),
+                    (far.waves.f1(), after.waves.f1()),
+                    (far.waves.lowered(), after.waves.lowered()),
+                    (far.waves.fall(), after.waves.fall()),
+                    (far.waves.bend(), after.waves.bend()),
                 ] {
-                    assert!((a - b).abs() < 1e-15, "{side} {x}: {a} {b}");
+                    assert!((a - b).abs() < 2e-15 * scaled.bounds.bend, "{side} {x}: {a} {b}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_short_step_and_the_closed_form_are_one_flight() {
+        for g in [0.12, -0.7, 1.3] {
+            let motion = Motion::new(g, 0.4, 0.6, 0.3).expect("a motion");
+            one_flight::<Cosine<f64>>(&motion);
+            let forcing = Forcing::periodic(2.0, &[0.9, -0.3, 0.2], &[0.1, 0.2, 0.0, 0.05]).expect("a forcing");
+            one_flight::<Several<f64>>(&motion.with_forcing(forcing).expect("of period 2"));
         }
     }
 }

@@ -2,19 +2,19 @@
 
 use super::expansion::Expansion;
 use super::scaled::{Departure, Scaled};
-use super::swing::REACH;
+use super::waves::Waves;
 use crate::model::Side;
 use numbers::Analytic;
 
 /// The end of a flight.
 #[derive(Clone, Debug)]
-pub(super) struct Arrival<T> {
+pub(super) struct Arrival<T, W> {
     /// The wall.
     pub side: Side,
     /// The angle of the forcing since the departure.
     pub angle: T,
     /// The flight there, as seen from the wall that was left; `w` points towards the wall.
-    pub there: Expansion<T>,
+    pub there: Expansion<T, W>,
     /// The least distance of a dip from a wall, times pi²; infinite where there was none, a lower bound else.
     pub clearance: f64,
 }
@@ -30,16 +30,16 @@ pub(super) enum Stop {
 
 /// A flight: where it starts, and the walls as seen from there.
 #[derive(Debug)]
-pub(super) struct Flight<'a, T> {
-    pub scaled: &'a Scaled<T>,
-    pub from: &'a Departure<T>,
-    pub start: Expansion<T>,
+pub(super) struct Flight<'a, T: Analytic, W: Waves<T>> {
+    pub scaled: &'a Scaled<T, W>,
+    pub from: &'a Departure<T, W>,
+    pub start: Expansion<T, W>,
     /// g as seen from the wall that was left.
     pub g: T,
 }
 
-impl<'a, T: Analytic> Flight<'a, T> {
-    pub fn new(scaled: &'a Scaled<T>, from: &'a Departure<T>) -> Self {
+impl<'a, T: Analytic, W: Waves<T>> Flight<'a, T, W> {
+    pub fn new(scaled: &'a Scaled<T, W>, from: &'a Departure<T, W>) -> Self {
         Self {
             scaled,
             from,
@@ -49,21 +49,23 @@ impl<'a, T: Analytic> Flight<'a, T> {
     }
 
     /// What the same flight in f64 says, where the number is a wider one: what f64 can tell need not be computed in that.
-    pub fn in_f64<R>(&self, ask: impl FnOnce(&Flight<f64>) -> R) -> Option<R> {
+    pub fn in_f64<R>(&self, ask: impl FnOnce(&Flight<f64, W::Narrow>) -> R) -> Option<R> {
         let scaled = self.scaled.narrow.as_deref()?;
-        let from = self.from.convert(T::to_f64);
-        let [y, w, push, sin, cos] = [
-            &self.start.y,
-            &self.start.w,
-            &self.start.push,
-            &self.start.sin,
-            &self.start.cos,
-        ]
-        .map(T::to_f64);
+        let (from, start) = (self.from, &self.start);
+        let from = Departure {
+            side: from.side,
+            phase: from.phase.to_f64(),
+            waves: from.waves.in_f64(),
+            speed: from.speed.to_f64(),
+            height: from.height.as_ref().map(T::to_f64),
+            released: from.released,
+        };
+        let [y, w, push] = [&start.y, &start.w, &start.push].map(T::to_f64);
+        let waves = start.waves.in_f64();
         Some(ask(&Flight {
             scaled,
             from: &from,
-            start: Expansion { y, w, push, sin, cos },
+            start: Expansion { y, w, push, waves },
             g: self.g.to_f64(),
         }))
     }
@@ -72,12 +74,14 @@ impl<'a, T: Analytic> Flight<'a, T> {
     pub fn starts_at_rest(&self) -> bool {
         let start = &self.start;
         let push = start.push.to_f64();
-        let turns_to_press = push.abs() <= 4.0 * self.scaled.epsilon && start.sin.to_f64() < 0.0;
-        start.w.is_zero() && !self.from.released && (push > 0.0 || turns_to_press)
+        let noise = 4.0 * self.scaled.epsilon * self.scaled.bounds.f;
+        let turns_to_press = push.abs() <= noise && start.waves.fall().to_f64() < 0.0;
+        let is_at_wall = self.from.height.is_none();
+        is_at_wall && start.w.is_zero() && !self.from.released && (push > 0.0 || turns_to_press)
     }
 
     /// The distance from a wall, seen from the one that was left.
-    pub fn distance(&self, wall: Side, there: &Expansion<T>) -> T {
+    pub fn distance(&self, wall: Side, there: &Expansion<T, W>) -> T {
         if wall == self.from.side {
             there.y.clone()
         } else {
@@ -86,7 +90,7 @@ impl<'a, T: Analytic> Flight<'a, T> {
     }
 
     /// The rate at which the ball approaches a wall.
-    pub fn approach(&self, wall: Side, there: &Expansion<T>) -> T {
+    pub fn approach(&self, wall: Side, there: &Expansion<T, W>) -> T {
         if wall == self.from.side {
             -there.w.clone()
         } else {
@@ -96,15 +100,15 @@ impl<'a, T: Analytic> Flight<'a, T> {
 
     /// How far rounding may have moved `y` at an angle after the departure.
     pub fn noise(&self, angle: f64) -> f64 {
-        let start = &self.start;
+        let (start, bounds) = (&self.start, &self.scaled.bounds);
         let bent = 0.5 * angle * angle;
-        let size = if angle < REACH {
+        let size = if angle < self.scaled.reach {
             // terms of the series; the push, and with it the second, has an absolute error
-            start.w.to_f64() * angle + bent
+            start.w.to_f64().abs() * angle + bounds.f * bent
         } else {
-            let drift = start.w.to_f64() + start.sin.to_f64();
-            drift.abs() * angle + self.g.to_f64().abs() * bent + 2.0
+            let drift = start.w.to_f64() + start.waves.f1().to_f64();
+            drift.abs() * angle + self.g.to_f64().abs() * bent + 2.0 * bounds.f2
         };
-        4.0 * self.scaled.epsilon * size
+        4.0 * self.scaled.epsilon * (size + self.start.y.to_f64())
     }
 }

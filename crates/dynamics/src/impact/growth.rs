@@ -1,10 +1,11 @@
 //! How rounding errors grow along a motion, to first order.
 
-use super::course::Step;
+use super::course::{Step, Witness};
 use super::event::Event;
 use super::flight::{Arrival, Flight};
 use super::scaled::Scaled;
-use super::swing::REACH;
+use super::turns::Turn;
+use super::waves::Waves;
 use crate::model::Side;
 use numbers::Analytic;
 use std::f64::consts::{FRAC_1_PI, TAU};
@@ -39,7 +40,7 @@ pub struct Growth {
     pub(super) stretch: f64,
     pub(super) since_release: f64,
     epsilon: f64,
-    /// How much g, rounded, moves the phase of a release, where cos = -g: the more the nearer g is to 1.
+    /// How much g and the forcing, rounded, move the phase of a release, where f = -g: the more the slower f falls there.
     steep: f64,
     /// Of bottom and top.
     restitution: [f64; 2],
@@ -47,7 +48,9 @@ pub struct Growth {
 }
 
 impl Growth {
-    pub(super) fn new<T: Analytic>(scaled: &Scaled<T>) -> Self {
+    pub(super) fn new<T: Analytic, W: Waves<T>>(scaled: &Scaled<T, W>) -> Self {
+        let g = scaled.g.to_f64().abs() + scaled.bounds.rounded;
+        let steep = |turn: &Turn<T, W>| g / turn.waves.fall().to_f64().abs();
         Self {
             axes: [[1.0, 0.0], [0.0, 1.0]],
             sides: [0.0; 2],
@@ -55,10 +58,7 @@ impl Growth {
             stretch: 0.0,
             since_release: 0.0,
             epsilon: scaled.epsilon,
-            steep: scaled
-                .turn
-                .as_ref()
-                .map_or(0.0, |turn| scaled.g.to_f64().abs() / turn.sin.to_f64()),
+            steep: scaled.turns.iter().map(steep).fold(0.0, f64::max),
             restitution: [Side::Bottom, Side::Top].map(|side| scaled.restitution(side).to_f64()),
             lost: false,
         }
@@ -111,43 +111,16 @@ impl Growth {
         self.since_release
     }
 
-    pub(super) fn follow<T: Analytic>(&mut self, event: &Event<T>, step: Step<T>) {
-        // a value that is rounded once
+    /// Begins with a start in flight: each value is rounded once.
+    pub(super) fn begin(&mut self, phase: f64, speed: f64) {
         let own = 0.5 * self.epsilon;
-        match step {
-            Step::Start => {
-                // phase and velocity, rounded once
-                let speed = event.velocity.to_f64().abs() * std::f64::consts::PI;
-                self.restart([own * event.phase.to_f64(), own * speed]);
-            }
-            Step::Release => {
-                self.restart([own * (TAU + self.steep), 0.0]);
-                // the flight forgets the phase of its release: what may grow is the velocity
-                self.axes = [[0.0, 1.0], [1.0, 0.0]];
-                self.sides.swap(0, 1);
-                self.since_release = 0.0;
-                self.stretch = f64::NEG_INFINITY;
-            }
-            Step::Undecided => self.lose(),
-            Step::Rest { start, angle, error } => {
-                // the phase of rest alone; what follows does not depend on it
-                let (push, angle) = (start.push.to_f64(), angle.to_f64());
-                let r = self.restitution[event.side as usize];
-                let by_speed = 2.0 * r / (push * (1.0 - r)) * self.error[1];
-                let by_push = angle * (start.sin.to_f64().abs() / push).min(1e8) * self.error[0];
-                // the push itself has an absolute error
-                let rounding = error + own * (TAU + angle / push);
-                self.error = [self.error[0] + by_speed + by_push + rounding, 0.0];
-            }
-            Step::Flight { flight, arrival } => {
-                self.fly(&Flown::new(flight, arrival), arrival.clearance);
-            }
-        }
+        self.restart([own * phase.abs(), own * speed.abs()]);
     }
 
     fn fly(&mut self, flown: &Flown, clearance: f64) {
         let [phase, speed] = self.error.map(|error| SAFELY * error);
-        let at_a_dip = flown.angle * flown.restitution * speed + (flown.angle + 2.0) * phase;
+        let [f, f1] = flown.bounds;
+        let at_a_dip = flown.angle * flown.restitution * speed + (f * flown.angle + 2.0 * f1) * phase;
         let [[by_phase, by_speed], _] = flown.jacobian;
         let moved = (by_phase - 1.0).abs() * phase + by_speed.abs() * speed;
         let bend = moved * flown.push.abs() / flown.speed;
@@ -204,6 +177,42 @@ impl Growth {
     }
 }
 
+impl<T: Analytic> Witness<T> for &mut Growth {
+    fn see<W: Waves<T>>(self, event: &Event<T>, step: Step<T, W>) {
+        // a value that is rounded once
+        let own = 0.5 * self.epsilon;
+        match step {
+            Step::Start => {
+                // phase and velocity, rounded once
+                let speed = event.velocity.to_f64().abs() * std::f64::consts::PI;
+                self.restart([own * event.phase.to_f64(), own * speed]);
+            }
+            Step::Release => {
+                self.restart([own * (TAU + self.steep), 0.0]);
+                // the flight forgets the phase of its release: what may grow is the velocity
+                self.axes = [[0.0, 1.0], [1.0, 0.0]];
+                self.sides.swap(0, 1);
+                self.since_release = 0.0;
+                self.stretch = f64::NEG_INFINITY;
+            }
+            Step::Undecided => self.lose(),
+            Step::Rest { start, angle, error } => {
+                // the phase of rest alone; what follows does not depend on it
+                let (push, angle) = (start.push.to_f64(), angle.to_f64());
+                let r = self.restitution[event.side as usize];
+                let by_speed = 2.0 * r / (push * (1.0 - r)) * self.error[1];
+                let by_push = angle * (start.waves.fall().to_f64().abs() / push).min(1e8) * self.error[0];
+                // the push itself has an absolute error
+                let rounding = error + own * (TAU + angle / push);
+                self.error = [self.error[0] + by_speed + by_push + rounding, 0.0];
+            }
+            Step::Flight { flight, arrival } => {
+                self.fly(&Flown::new(flight, arrival), arrival.clearance);
+            }
+        }
+    }
+}
+
 /// Errors that have nothing to do with each other, together; the square of an error in many digits would be 0.
 fn together(errors: [f64; 4]) -> f64 {
     errors.into_iter().fold(0.0, f64::hypot)
@@ -227,6 +236,8 @@ pub(super) fn digits_of(error: f64) -> u32 {
 struct Flown {
     angle: f64,
     restitution: f64,
+    /// Of |f| and |F_1|.
+    bounds: [f64; 2],
     /// f + g at arrival, and the speed there.
     push: f64,
     speed: f64,
@@ -237,40 +248,43 @@ struct Flown {
 }
 
 impl Flown {
-    fn new<T: Analytic>(flight: &Flight<T>, arrival: &Arrival<T>) -> Self {
+    fn new<T: Analytic, W: Waves<T>>(flight: &Flight<T, W>, arrival: &Arrival<T, W>) -> Self {
         let (scaled, start, from) = (flight.scaled, &flight.start, flight.from.side);
+        let bounds = &scaled.bounds;
         let noise = ROUNDED / 4.0 * flight.noise(arrival.angle.to_f64());
         let there = &arrival.there;
-        let [x, w, push, sin, cos] =
-            [&arrival.angle, &there.w, &there.push, &there.sin, &there.cos].map(Analytic::to_f64);
-        let [launch, push_0, sin_0, cos_0] = [&start.w, &start.push, &start.sin, &start.cos].map(Analytic::to_f64);
-        let r = scaled.restitution(from).to_f64();
-        // x cos_0 + sin_0 - sin(x + .), which cancels where x is small
-        let lifted = if x < 0.1 {
-            x * x * (0.5 * sin_0 + x / 6.0 * cos_0)
+        let [x, w, push] = [&arrival.angle, &there.w, &there.push].map(Analytic::to_f64);
+        let [f, f1] = [there.waves.f(), there.waves.f1()].map(|value| value.to_f64());
+        let [launch, push_0] = [&start.w, &start.push].map(Analytic::to_f64);
+        let [f_0, f1_0] = [start.waves.f(), start.waves.f1()].map(|value| value.to_f64());
+        let r = match flight.from.height {
+            None => scaled.restitution(from).to_f64(),
+            Some(_) => 1.0,
+        };
+        // x f(0) + F_1(0) - F_1(x), which cancels where x is small
+        let lifted = if x * bounds.highest < 0.1 {
+            x * x * (0.5 * start.waves.fall().to_f64() + x / 6.0 * start.waves.bend().to_f64())
         } else {
-            x * cos_0 + sin_0 - sin
+            x * f_0 + f1_0 - f1
         };
         let (by_phase, by_speed) = (-lifted / w, -r * x / w);
         let towards = if arrival.side == from { -1.0 } else { 1.0 };
         let speed = w.abs();
         let own = ROUNDED * scaled.epsilon;
-        let terms = if x < REACH {
-            launch + push_0.abs() * x + x
+        let terms = if x < scaled.reach {
+            launch.abs() + push_0.abs() * x + bounds.f * x
         } else {
-            launch + scaled.g.to_f64().abs() * x + 2.0
+            launch.abs() + scaled.g.to_f64().abs() * x + 2.0 * bounds.f1
         };
         Self {
             angle: x,
             restitution: r,
+            bounds: [bounds.f, bounds.f1],
             push,
             speed,
             jacobian: [
                 [1.0 + by_phase, by_speed],
-                [
-                    towards * (cos_0 - cos - push * by_phase),
-                    towards * (r - push * by_speed),
-                ],
+                [towards * (f_0 - f - push * by_phase), towards * (r - push * by_speed)],
             ],
             rounding: [
                 noise / speed + own * (x + TAU) * 0.25,
@@ -285,6 +299,7 @@ mod tests {
     use super::super::course::Course;
     use super::super::event::Kind;
     use super::super::start::Start;
+    use super::super::waves::Cosine;
     use super::*;
     use crate::model::Motion;
 
@@ -294,13 +309,9 @@ mod tests {
 
     /// The last impact of a chatter before its rest.
     fn last() -> Event<f64> {
-        let start = Start {
-            side: Side::Bottom,
-            phase: 1.0,
-            velocity: 1e-3,
-        };
-        let mut course = Course::new(&motion(), &start);
-        let mut events = std::iter::from_fn(|| course.advance(|_, _| ()));
+        let start = Start::impact(Side::Bottom, 1.0, 1e-3);
+        let mut course = Course::<f64, Cosine<f64>>::new(&motion(), &start);
+        let mut events = std::iter::from_fn(|| course.advance(()));
         let events: Vec<Event<f64>> = events.by_ref().take_while(|event| event.kind == Kind::Impact).collect();
         events.last().unwrap().clone()
     }
@@ -310,11 +321,11 @@ mod tests {
     fn rest(faster: f64, error: f64) -> (f64, f64) {
         let mut event = last();
         event.velocity += faster;
-        let mut course = Course::new(&motion(), &Start::from(&event));
+        let mut course = Course::<f64, Cosine<f64>>::new(&motion(), &Start::from(&event));
         let mut growth = Growth::new(course.scaled());
-        course.advance(|event, step| growth.follow(event, step)).unwrap();
+        course.advance(&mut growth).unwrap();
         growth.restart([0.0, error * std::f64::consts::PI]);
-        let event = course.advance(|event, step| growth.follow(event, step)).unwrap();
+        let event = course.advance(&mut growth).unwrap();
         assert_eq!(event.kind, Kind::Rest);
         (event.phase, growth.phase_error())
     }

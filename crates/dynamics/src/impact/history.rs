@@ -446,7 +446,7 @@ fn proved<T: Endpoint, N: Telling<T> + 'static>(
         let event = enclosure.next()?;
         events += 1;
         // that of the start, which is given, is 0
-        let time = if events == 1 {
+        let time = if events == 1 && start.position.is_none() {
             Interval::from_integer(0)
         } else {
             event.time(&start.phase)

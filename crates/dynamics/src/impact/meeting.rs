@@ -1,8 +1,8 @@
 //! Where in a stretch of a flight the ball meets a wall, or is nearest to it.
 
-use super::expansion::{Expansion, seen};
+use super::expansion::Expansion;
 use super::flight::{Arrival, Flight};
-use super::swing::REACH;
+use super::waves::Waves;
 use crate::model::Side;
 use numbers::Analytic;
 
@@ -10,8 +10,8 @@ use numbers::Analytic;
 const MOST_STEPS: usize = 2000;
 
 /// A flight, asked about a wall. `recent` holds the angles at which late flights from here met bottom and top.
-pub(super) struct Meeting<'a, T> {
-    pub flight: &'a Flight<'a, T>,
+pub(super) struct Meeting<'a, T: Analytic, W: Waves<T>> {
+    pub flight: &'a Flight<'a, T, W>,
     pub recent: [f64; 2],
 }
 
@@ -50,22 +50,24 @@ impl Stretch {
 }
 
 /// A flight near one of its angles.
-struct Near<T> {
+struct Near<T, W> {
     /// The angle about which it is expanded.
     base: T,
-    about: Expansion<T>,
+    about: Expansion<T, W>,
+    /// The reach of the motion.
+    reach: f64,
 }
 
-impl<T: Analytic> Near<T> {
+impl<T: Analytic, W: Waves<T>> Near<T, W> {
     /// Whether the flight is best seen from here at `angle`, which is `step` on: small angles from the departure only,
     /// because relative accuracy is lost elsewhere.
     fn serves(&self, angle: f64, step: f64) -> bool {
-        step.abs() < REACH && (self.base.is_zero() || angle >= REACH)
+        step.abs() < self.reach && (self.base.is_zero() || angle >= self.reach)
     }
 
     /// The flight a `leap` on from `there`, itself `step` on from here. On from the departure it is seen from there:
     /// what is small keeps no relative accuracy on its way through what is large.
-    fn moved(&self, there: &Expansion<T>, step: &T, leap: &T, epsilon: f64) -> Expansion<T> {
+    fn moved(&self, there: &Expansion<T, W>, step: &T, leap: &T, epsilon: f64) -> Expansion<T, W> {
         if self.base.is_zero() {
             self.at(&(step.clone() + leap.clone()), epsilon)
         } else {
@@ -73,7 +75,7 @@ impl<T: Analytic> Near<T> {
         }
     }
 
-    fn at(&self, step: &T, epsilon: f64) -> Expansion<T> {
+    fn at(&self, step: &T, epsilon: f64) -> Expansion<T, W> {
         if step.is_zero() {
             self.about.clone()
         } else {
@@ -82,25 +84,28 @@ impl<T: Analytic> Near<T> {
     }
 }
 
-impl<T: Analytic> Meeting<'_, T> {
+impl<T: Analytic, W: Waves<T>> Meeting<'_, T, W> {
     /// The flight expanded about its departure where `angle` is small, else about `angle`: one sine and cosine.
     #[inline]
-    fn near(&self, angle: f64) -> (Near<T>, T) {
+    fn near(&self, angle: f64) -> (Near<T, W>, T) {
         let flight = self.flight;
+        let reach = flight.scaled.reach;
         let angle = T::from_f64(angle);
-        if angle.to_f64() < REACH {
-            let about = flight.start.clone();
-            return (Near { base: T::zero(), about }, angle);
+        if angle.to_f64() < reach {
+            let (base, about) = (T::zero(), flight.start.clone());
+            return (Near { base, about, reach }, angle);
         }
-        let phase = flight.from.phase.clone() + angle.clone();
-        let (sin, cos) = seen(flight.from.side, phase.sincos());
-        let about = flight.start.far(&flight.g, &angle, sin, cos);
-        (Near { base: angle, about }, T::zero())
+        let waves = flight
+            .scaled
+            .seen(flight.from.side, &(flight.from.phase.clone() + angle.clone()));
+        let about = flight.start.far(&flight.g, &angle, waves);
+        let base = angle;
+        (Near { base, about, reach }, T::zero())
     }
 
     /// The contact in a stretch, with the precision of the number: the noise of the distance over the velocity.
     #[inline]
-    pub fn arrival(&self, stretch: &Stretch, clearance: f64) -> Arrival<T> {
+    pub fn arrival(&self, stretch: &Stretch, clearance: f64) -> Arrival<T, W> {
         let flight = self.flight;
         let wall = stretch.wall;
         let epsilon = flight.scaled.epsilon;
@@ -122,7 +127,7 @@ impl<T: Analytic> Meeting<'_, T> {
             // where the ball is not approaching, Newton would lead back to the wall it has just left
             let inside = low - slack <= next
                 && next <= high + slack
-                && leap.to_f64().abs() < REACH
+                && leap.to_f64().abs() < near.reach
                 && flight.approach(wall, &there).to_f64() > 0.0;
             if !inside && high - low <= slack {
                 break;
@@ -152,7 +157,7 @@ impl<T: Analytic> Meeting<'_, T> {
 
     /// The step to the wall, by the series of the inverse function to the fourth order, and a guess of what is left.
     #[inline]
-    fn leap(&self, wall: Side, there: &Expansion<T>, distance: T) -> (T, f64) {
+    fn leap(&self, wall: Side, there: &Expansion<T, W>, distance: T) -> (T, f64) {
         let flight = self.flight;
         let inverse = T::one() / flight.approach(wall, there);
         let first = distance * inverse.clone();
@@ -165,8 +170,8 @@ impl<T: Analytic> Meeting<'_, T> {
         };
         // distance(step) / approach = first - step - b step² - c step³ - d step⁴, with these
         let b = towards(&there.push) * inverse.clone() * T::from_ratio(1, 2);
-        let c = -towards(&there.sin) * inverse.clone() * T::from_ratio(1, 6);
-        let d = -towards(&there.cos) * inverse * T::from_ratio(1, 24);
+        let c = -towards(&there.waves.fall()) * inverse.clone() * T::from_ratio(1, 6);
+        let d = -towards(&there.waves.bend()) * inverse * T::from_ratio(1, 24);
         let size = first.to_f64().abs();
         let bent = (b.to_f64() * first.to_f64()).abs().max(size);
         if bent.is_nan() || bent >= 0.1 {
@@ -200,11 +205,12 @@ impl<T: Analytic> Meeting<'_, T> {
             return angle;
         }
         let start = &self.flight.start;
-        if stretch.low == 0.0 && stretch.wall == self.flight.from.side {
+        let from = self.flight.from;
+        if stretch.low == 0.0 && stretch.wall == from.side && from.height.is_none() {
             // a short hop, under a push that hardly changes
             let (u, a) = (start.w.to_f64(), start.push.to_f64());
-            let hop = 2.0 * u / a * (1.0 + 2.0 / 3.0 * start.sin.to_f64() * u / (a * a));
-            if 0.0 < hop && hop < stretch.high.min(REACH) {
+            let hop = 2.0 * u / a * (1.0 + 2.0 / 3.0 * start.waves.fall().to_f64() * u / (a * a));
+            if 0.0 < hop && hop < stretch.high.min(self.flight.scaled.reach) {
                 return hop;
             }
         }

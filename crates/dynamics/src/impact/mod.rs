@@ -2,6 +2,7 @@
 //!
 //! Uses `number/` and `model/`.
 
+mod any_course;
 pub mod batch;
 mod chatter;
 mod contact;
@@ -18,6 +19,8 @@ mod simulation;
 mod start;
 mod swing;
 mod trajectory;
+mod turns;
+mod waves;
 mod widening;
 
 pub use batch::{Batch, Grown, Instructions, in_lanes};

@@ -1,11 +1,12 @@
 //! The events of a motion, one after the other, as they are listed.
 
+use super::any_course::AnyCourse;
 use super::chatter::LISTED;
-use super::course::Course;
 use super::event::{Event, Kind};
 use super::growth::Growth;
 use super::scaled::Departure;
 use super::start::Start;
+use super::waves::Cosine;
 #[cfg(any(test, feature = "calls"))]
 use crate::model::calls::{self, Call};
 use crate::model::{Motion, Side};
@@ -14,13 +15,14 @@ use numbers::Analytic;
 /// A chatter of more impacts below [`LISTED`] than this is not completed but listed, as one that never ends.
 const MOST_HIDDEN: usize = 100_000_000;
 
-/// A motion from a start on; an iterator over its events, the start impact first.
+/// A motion from a start on, under its own forcing; an iterator over its events, the start impact first. A start in flight
+/// is no event: the first is the impact that ends it.
 ///
 /// Impacts are found without a time step: none is missed or invented that rounding does not hide, and one that it
 /// hides is an event of the kind [`Kind::Undecided`], the last one; so is a start that is no impact (NaN, infinite, away
 /// from its wall). Impacts of a chatter that completes are listed
 /// down to [`LISTED`]; its rest follows at the phase where they accumulate, exact to the precision of the number, then
-/// the release at cos(phase) = -g. The motion ends after a rest that nothing releases (|g| >= 1), after an undecided
+/// the release where f + g changes its sign, at cos(phase) = -g under the forcing of the paper. The motion ends after a rest that nothing releases (|g| >= 1), after an undecided
 /// contact, and where the ball never reaches a wall again.
 ///
 /// Phase and velocity of each impact are those of the map from the impact before to a few roundings of the number;
@@ -28,8 +30,8 @@ const MOST_HIDDEN: usize = 100_000_000;
 ///
 /// Source: (3), (4), (8); the ends of chatter from the expansion in chatter.rs.
 #[derive(Clone, Debug)]
-pub struct Simulation<T> {
-    pub(super) course: Course<T>,
+pub struct Simulation<T: Analytic> {
+    pub(super) course: AnyCourse<T>,
     pub(super) growth: Growth,
     is_tracked: bool,
     has_started: bool,
@@ -42,18 +44,18 @@ pub struct Simulation<T> {
 impl<T: Analytic> Simulation<T> {
     /// The motion from `start` on.
     pub fn new(motion: &Motion<T>, start: &Start<T>) -> Self {
-        Self::of(Course::new(motion, start), false)
+        Self::of(AnyCourse::new(motion, start), start.position.is_some())
     }
 
-    /// The motion of a ball that rests on `side`, from its release on, which is the first event; `None` where nothing ever
-    /// releases it.
-    pub fn released(motion: &Motion<T>, side: Side) -> Option<Self> {
-        Some(Self::of(Course::released(motion, side)?, true))
+    /// The motion of a ball that rests on `side`, from its release on, which is the first event: at the phase of release
+    /// nearest to `near`, rad, where there are several; `None` where nothing ever releases it.
+    pub fn released(motion: &Motion<T>, side: Side, near: f64) -> Option<Self> {
+        Some(Self::of(AnyCourse::released(motion, side, near)?, true))
     }
 
-    fn of(course: Course<T>, has_started: bool) -> Self {
+    fn of(course: AnyCourse<T>, has_started: bool) -> Self {
         Self {
-            growth: Growth::new(course.scaled()),
+            growth: course.growth(),
             course,
             is_tracked: false,
             has_started,
@@ -111,21 +113,14 @@ impl<T: Analytic> Simulation<T> {
     }
 
     /// Goes on from an impact of [`LISTED`] or more, so many turns after the start.
-    pub(super) fn depart(&mut self, from: Departure<T>, turns: i64) {
+    pub(super) fn depart(&mut self, from: Departure<T, Cosine<T>>, turns: i64) {
         self.course.depart(from, turns);
         (self.has_started, self.exhaustive, self.idle) = (true, false, 0);
     }
 
     /// The next event of a flight whose end this number cannot tell, in a wider one, if that can.
     pub(super) fn widened<U: Analytic>(&self, motion: &Motion<U>, convert: impl Fn(&T) -> U) -> Option<Event<U>> {
-        let (from, turns) = self.course.lost()?;
-        let start = Start {
-            side: from.side,
-            phase: convert(&from.phase),
-            velocity: U::zero(),
-        };
-        let mut wider = Simulation::new(motion, &start);
-        wider.depart(from.convert(convert), turns);
+        let mut wider = Simulation::of(self.course.widened(motion, convert)?, true);
         wider.next().filter(|event| event.kind != Kind::Undecided)
     }
 
@@ -134,12 +129,11 @@ impl<T: Analytic> Simulation<T> {
         #[cfg(any(test, feature = "calls"))]
         calls::count(Call::Step);
         if !self.is_tracked {
-            return self.course.advance(|_, _| {});
+            return self.course.advance(());
         }
         #[cfg(any(test, feature = "calls"))]
         calls::count(Call::Growth);
-        let growth = &mut self.growth;
-        self.course.advance(|event, step| growth.follow(event, step))
+        self.course.advance(&mut self.growth)
     }
 
     /// The rest that the chatter which goes on with `event` ends with, if it does.
@@ -166,7 +160,7 @@ impl<T: Analytic> Simulation<T> {
             return Some(event);
         }
         // the start impact is a row, however slow
-        let never_completes = self.course.scaled().restitution(event.side).is_one();
+        let never_completes = self.course.is_lossless(event.side);
         if self.exhaustive || is_start || never_completes {
             return Some(event);
         }

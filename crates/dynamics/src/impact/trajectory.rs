@@ -3,7 +3,7 @@
 use super::event::{Event, Kind};
 #[cfg(any(test, feature = "calls"))]
 use crate::model::calls::{self, Call};
-use crate::model::{Flight, Forcing, Motion, Side};
+use crate::model::{Flight, FlightError, Forcing, Motion, Side};
 use numbers::Analytic;
 
 /// Ball and capsule at one time.
@@ -17,8 +17,9 @@ pub struct Snapshot<T> {
     pub z: T,
     /// Zdot; at an impact that just before it.
     pub zdot: T,
-    /// X, the middle of the capsule, in the frame in which it swings about 0 without a drift: -cos(phase)/pi². The
-    /// frame is a choice: (1) gives X up to a constant and a steady velocity, and the motion depends on neither.
+    /// X, the middle of the capsule, in the frame in which it swings about 0 without a drift: F_2, which is -cos(phase)/pi²
+    /// under the forcing of the paper. The frame is a choice: (1) gives X up to a constant and a steady velocity, and the
+    /// motion depends on neither.
     pub capsule: T,
     /// x = X - Z, the ball in the same frame, in which it falls with -g between the impacts.
     pub ball: T,
@@ -26,7 +27,7 @@ pub struct Snapshot<T> {
 
 /// A motion as a function of time, from its events.
 ///
-/// Under the forcing cos(phase). Each state is computed from the event before it by (3) and (4) in closed form, so
+/// Under the forcing of the motion. Each state is computed from the event before it by (3) and (4) in closed form, so
 /// nothing adds up along the motion but the error of the events themselves; a few roundings of `T` come on top.
 #[derive(Clone, Debug)]
 pub struct Trajectory<T, E> {
@@ -36,6 +37,8 @@ pub struct Trajectory<T, E> {
     start: Option<T>,
     /// What happens from the last event before the time asked for on.
     course: Course<T>,
+    /// When that begins.
+    since: Option<T>,
     /// The last event before the time asked for, and the first one after it.
     last: Option<Event<T>>,
     next: Option<Event<T>>,
@@ -44,7 +47,8 @@ pub struct Trajectory<T, E> {
 /// What the ball does from one event to the next.
 #[derive(Clone, Debug)]
 enum Course<T> {
-    Flight(Flight<T>),
+    /// From a place Z.
+    Flight(T, Flight<T>),
     Chatter(Chatter<T>),
     Rest(Side),
     /// Nothing has happened yet, or what happened is undecided.
@@ -72,6 +76,22 @@ impl<T: Analytic, E: Iterator<Item = Event<T>>> Trajectory<T, E> {
             events,
             start: next.as_ref().map(|event| event.phase.clone()),
             course: Course::Unknown,
+            since: None,
+            last: None,
+            next,
+        }
+    }
+
+    /// The motion that starts in flight and then has these events, in order; the time is 0 at the start.
+    pub fn in_flight(motion: Motion<T>, phase: T, position: T, velocity: T, mut events: E) -> Self {
+        let next = events.next();
+        let flight = launched(&motion, Side::Bottom, &phase, velocity);
+        Self {
+            motion,
+            events,
+            course: flight.map_or(Course::Unknown, |flight| Course::Flight(position, flight)),
+            start: Some(phase),
+            since: Some(T::zero()),
             last: None,
             next,
         }
@@ -91,16 +111,20 @@ impl<T: Analytic, E: Iterator<Item = Event<T>>> Trajectory<T, E> {
             self.course = self.course_from(&event, &start);
             self.last = Some(event);
         }
-        let (z, zdot) = match (&self.last, &self.next) {
-            (Some(last), _) => self.state(&since(last, &start, time))?,
-            (None, Some(first)) if first.time(&start) == *time => (self.wall(first.side), first.velocity.clone()),
+        let (z, zdot) = match (&self.last, &self.since, &self.next) {
+            (Some(last), ..) => self.state(&since(last, &start, time))?,
+            (None, Some(from), _) if !is_after(from, time) => self.state(time)?,
+            (None, None, Some(first)) if first.time(&start) == *time => (self.wall(first.side), first.velocity.clone()),
             _ => return None,
         };
         let turn = T::pi() + T::pi();
         // whole periods are taken off before pi comes in, so that the phase keeps its digits
         let phase = start + T::pi() * Forcing::<T>::harmonic(&T::zero()).reduced(time);
         let phase = if is_after(&turn, &phase) { phase } else { phase - turn };
-        let capsule = -(phase.sincos().1 / (T::pi() * T::pi()));
+        let capsule = match self.motion.other_forcing() {
+            None => -(phase.sincos().1 / (T::pi() * T::pi())),
+            Some(forcing) => forcing.at(&(phase.clone() / T::pi())).f2,
+        };
         Some(Snapshot {
             time: time.clone(),
             phase,
@@ -125,10 +149,8 @@ impl<T: Analytic, E: Iterator<Item = Event<T>>> Trajectory<T, E> {
             }),
             (Kind::Impact | Kind::Release, _) => {
                 let launch = -(restitution * event.velocity.clone());
-                // the phase goes into the forcing, where no rounding is added to it
-                let forcing = Forcing::harmonic(&event.phase);
-                let flight = Flight::launched(&self.motion, &forcing, event.side, &T::zero(), launch);
-                flight.map_or(Course::Unknown, Course::Flight)
+                let flight = launched(&self.motion, event.side, &event.phase, launch);
+                flight.map_or(Course::Unknown, |flight| Course::Flight(self.wall(event.side), flight))
             }
         }
     }
@@ -147,11 +169,20 @@ impl<T: Analytic, E: Iterator<Item = Event<T>>> Trajectory<T, E> {
                 let side = chatter.side;
                 Some((self.wall(side) - side.signed(away), -side.signed(velocity)))
             }
-            Course::Flight(flight) => {
+            Course::Flight(from, flight) => {
                 let state = flight.state(s);
-                Some((self.wall(flight.side()) + state.displacement, state.velocity))
+                Some((from.clone() + state.displacement, state.velocity))
             }
         }
+    }
+}
+
+/// The flight that begins at a phase of the forcing with a velocity.
+fn launched<T: Analytic>(motion: &Motion<T>, side: Side, phase: &T, velocity: T) -> Result<Flight<T>, FlightError> {
+    match motion.other_forcing() {
+        // the phase goes into the forcing, where no rounding is added to it
+        None => Flight::launched(motion, &Forcing::harmonic(phase), side, &T::zero(), velocity),
+        Some(forcing) => Flight::launched(motion, forcing, side, &(phase.clone() / T::pi()), velocity),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The non-dimensional parameters of a motion.
 
-use super::forcing::Forcing;
+use super::forcing::{Forcing, ForcingError};
 use numbers::Analytic;
 use std::fmt;
 use std::sync::Arc;
@@ -64,6 +64,9 @@ pub enum MotionError {
         /// What was given.
         found: f64,
     },
+    /// A forcing that is none.
+    #[error(transparent)]
+    Forcing(#[from] ForcingError),
     /// The gap is not positive.
     #[error("d is {found}, must be finite and above 0")]
     Gap {
@@ -168,6 +171,15 @@ impl<T: Analytic> Motion<T> {
     /// The forcing where it is not the cos(pi t) of the paper.
     pub fn other_forcing(&self) -> Option<&Forcing<T>> {
         self.forcing.as_deref()
+    }
+
+    /// f + g at a phase of the forcing, pi t.
+    pub fn push(&self, phase: &T) -> T {
+        let f = match &self.forcing {
+            None => phase.sincos().1,
+            Some(forcing) => forcing.at(&(phase.clone() / T::pi())).f,
+        };
+        f + self.g.clone()
     }
 
     /// Whether there is a wall at the top.

@@ -333,11 +333,11 @@ fn claims_of(seed: u64, motions: usize, figures: Option<usize>) -> Claims {
     let mut claims = Claims::new();
     for index in 0..motions {
         let motion = draw(&mut sequence);
-        let start = Start {
-            side: Side::Bottom,
-            phase: sequence.between(0.0, TAU),
-            velocity: 10_f64.powf(sequence.between(-3.0, 0.5)),
-        };
+        let start = Start::impact(
+            Side::Bottom,
+            sequence.between(0.0, TAU),
+            10_f64.powf(sequence.between(-3.0, 0.5)),
+        );
         let extent = Extent {
             impacts: 40,
             until: f64::INFINITY,

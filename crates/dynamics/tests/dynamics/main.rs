@@ -4,6 +4,7 @@ mod bifurcations;
 mod bounds;
 mod curves;
 mod follow;
+mod forced;
 mod model;
 mod motions;
 mod orbits;

@@ -445,11 +445,7 @@ fn figures_of_a_motion_without_a_proof_hold_however_short_its_flights_are() {
         );
         // and the flight before, by the laws (3) and (4)
         let wide = motion.convert(|value| Digits::from_f64(*value)).expect("a motion");
-        let start = Start {
-            side: Side::Bottom,
-            phase: row.phases[0],
-            velocity: row.velocities[0],
-        };
+        let start = Start::impact(Side::Bottom, row.phases[0], row.velocities[0]);
         let start = start.convert(|value| Digits::from_f64(*value));
         let top = Simulation::new(&wide, &start)
             .nth(1)

@@ -5,7 +5,7 @@ use super::pace::Pace;
 use super::sweep::StartGrid;
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use dynamics::impact::{Origin, Widening};
-use dynamics::model::{Membrane, Motion};
+use dynamics::model::{Membrane, Motion, Side};
 use dynamics::orbit::{Attractor, Estimate};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -169,6 +169,8 @@ impl BasinPoints {
         let start = |number: u64| super::Start {
             phase: self.grid.phase.value((number % along) as u32),
             velocity: self.grid.velocity.value((number / along) as u32),
+            side: Side::Bottom,
+            position: None,
         };
         let starts: Vec<_> = numbers.map(start).collect();
         let following = || Following {

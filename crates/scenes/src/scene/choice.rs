@@ -18,6 +18,13 @@ pub struct BoxChoice {
     pub choice: Choice,
 }
 
+/// The search for the best device divides by restitutions.
+const ABOVE_0: &str = "above 0 and at most 1, where the best device is looked for";
+
+fn is_restitution(over: Over) -> bool {
+    matches!(over, Over::RB | Over::RT)
+}
+
 impl Scene {
     /// The parameters that have a range in the box.
     pub(super) fn chosen(&self) -> Vec<Over> {
@@ -39,6 +46,9 @@ impl Scene {
         let over = Over::ALL.into_iter().find(|over| over.box_key() == Some(key));
         let end = |end| {
             let value = self.number_in(key, end)?;
+            if over.is_some_and(is_restitution) && value.sign() == Ordering::Equal {
+                return Err(self.wrong(key, end, ABOVE_0.to_owned()));
+            }
             match over.and_then(|over| Some((over, allowed_number(over.key().allowed, &value)?))) {
                 Some((over, allowed)) => Err(self.wrong(key, end, format!("{allowed}, as {over} is"))),
                 None => Ok(value),
@@ -60,7 +70,13 @@ impl Scene {
                 low: enclosed(&low),
                 high: enclosed(&high),
             },
-            None => Range::held(enclosed(&self.number(over.key())?)),
+            None => {
+                let value = self.number(over.key())?;
+                if is_restitution(over) && value.sign() == Ordering::Equal {
+                    return Err(self.wrong(over.key(), self.require(over.key(), None)?, ABOVE_0.to_owned()));
+                }
+                Range::held(enclosed(&value))
+            }
         })
     }
 

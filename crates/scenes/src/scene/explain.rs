@@ -97,6 +97,11 @@ impl Scene {
             key if key.section == "map" => self.default_of_map(key)?,
             key if *key == key::LINES => self.plane()?.lines.to_string(),
             key if *key == key::DIGITS => self.digits()?.to_string(),
+            key if *key == key::WALLS => "both".to_owned(),
+            key if *key == key::SIDE => "bottom".to_owned(),
+            key if *key == key::Z => "at the wall".to_owned(),
+            key if *key == key::COSINES && !self.document.has_section("forcing") => "[1]".to_owned(),
+            key if key.section == "forcing" => "[]".to_owned(),
             key if *key == key::ERROR => "as many impacts as are given".to_owned(),
             key if *key == key::MOST_IMPACTS => self.diagram()?.most_impacts.to_string(),
             key if *key == key::BASINS_KEEP => self.start_grid()?.diagram.keep.to_string(),
@@ -169,7 +174,13 @@ impl Scene {
     fn modelled(&self, wants: &[Want]) -> Result<Vec<String>, SceneError> {
         let mut lines = Vec::new();
         if wants.iter().any(|&want| want != Want::Voltage) {
-            lines.push("forcing: cos(pi t + phase), of period 2".to_string());
+            lines.push(match self.motion_forcing()? {
+                None => "forcing: cos(pi t + phase), of period 2".to_string(),
+                Some(count) => format!("forcing: {count} harmonics of period 2"),
+            });
+            if !self.has_top()? {
+                lines.push("walls: the bottom alone, at Z = 0".to_string());
+            }
         }
         let (swept, at_rest): (Vec<Want>, Vec<Want>) = wants
             .iter()
@@ -232,6 +243,11 @@ impl Scene {
         }
         lines.extend(units);
         Ok(lines)
+    }
+
+    /// The harmonics of `[forcing]` that are not 0; `None` of the forcing of the paper.
+    fn motion_forcing(&self) -> Result<Option<usize>, SceneError> {
+        Ok(self.harmonics()?.map(|harmonics| harmonics.count()))
     }
 
     /// The units in which a voltage or a trajectory is given.

@@ -2,7 +2,7 @@
 
 use super::sweep::{Begin, Diagram};
 use dynamics::impact::{Event, Kind, Widening, in_lanes};
-use dynamics::model::{Membrane, Motion, MotionError, Parameters, Side};
+use dynamics::model::{Membrane, Motion, MotionError, Parameters};
 use dynamics::orbit::{
     AtRelease, Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, Settling,
     SteadyState, lyapunov,
@@ -318,10 +318,15 @@ impl<P: Parameters> Following<'_, P> {
 
     /// The cycle through a rest after a second release from a wall, after so many impacts; else the impacts of it that are
     /// known.
-    fn through(&self, side: Side, after: u64) -> Result<Result<Attractor, u64>, MotionError> {
+    fn through(&self, release: &Event<f64>, after: u64) -> Result<Result<Attractor, u64>, MotionError> {
         // errors may lead round a longer way than f64 has seen
         let most = 4 * after.max(1000);
-        match RestingCycle::find(&self.parameters, side, most, self.diagram.options.resting_digits)? {
+        match RestingCycle::find(
+            &self.parameters,
+            (release.side, release.phase),
+            most,
+            self.diagram.options.resting_digits,
+        )? {
             Ok(cycle) => Attractor::through(&self.parameters, cycle).map(Ok),
             Err(known) => Ok(Err(known)),
         }
@@ -334,7 +339,7 @@ impl<P: Parameters> Following<'_, P> {
         }
         let mut at_release = measure.at_release;
         if let Some(release) = &settled.release {
-            let found = self.through(release.side, u64::from(self.diagram.impacts))?;
+            let found = self.through(release, u64::from(self.diagram.impacts))?;
             if let Err(longer_than) = found {
                 at_release = AtRelease::Passes { longer_than };
             }
@@ -369,7 +374,7 @@ impl<P: Parameters> Following<'_, P> {
                 settled.attractor = Some(cycle);
                 return Ok(Some(means));
             }
-            LongRun::Released(release, after) => match self.through(release.side, after)? {
+            LongRun::Released(release, after) => match self.through(&release, after)? {
                 Ok(cycle) => {
                     let means = self.of_cycle(measure, &cycle)?;
                     settled.attractor = Some(cycle);

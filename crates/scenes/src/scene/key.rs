@@ -27,10 +27,14 @@ pub(super) enum Allowed {
     Positive,
     /// Above 0 and at most 1.
     Part,
+    /// From 0 to 1.
+    Restitution,
     /// From -pi/2 to pi/2.
     Angle,
     /// An integer from 1 to this.
     Count(u32),
+    /// A list of finite numbers.
+    Numbers,
     /// A list of starts.
     Starts,
     /// Two numbers that the parameter of the same name may have, the lower one first.
@@ -79,16 +83,21 @@ keys! {
     CAPSULE_LENGTH = "device" "capsule_length" Allowed::Positive, "the distance that the ball has between the walls, m, which box.forcing_amplitude leaves as it is";
     G = "motion" "g" Allowed::Finite, "gravity along the capsule in units of the forcing; [device] gives it too";
     D = "motion" "d" Allowed::Positive, "the gap between the walls: the length that the ball has, m, over A pi²/(M omega²)";
-    R_B = "motion" "r_b" Allowed::Part, "the restitution of the bottom";
-    R_T = "motion" "r_t" Allowed::Part, "the restitution of the top";
+    R_B = "motion" "r_b" Allowed::Restitution, "the restitution of the bottom; 0 is a plastic impact";
+    R_T = "motion" "r_t" Allowed::Restitution, "the restitution of the top; 0 is a plastic impact";
+    WALLS = "motion" "walls" Allowed::Text, "which walls there are: both, or bottom, a ball on a shaken table at Z = 0, without d and r_t";
+    COSINES = "forcing" "cosines" Allowed::Numbers, "the amplitudes of cos(n pi t), n = 1, 2, ..., in units of the forcing";
+    SINES = "forcing" "sines" Allowed::Numbers, "the amplitudes of sin(n pi t), n = 1, 2, ..., in units of the forcing";
     BALL_MASS = "membrane" "ball_mass" Allowed::Positive, "the mass of the ball, kg";
     STIFFNESS = "membrane" "stiffness" Allowed::Positive, "K of the elastic force K delta^exponent, N/m^exponent";
     EXPONENT = "membrane" "exponent" Allowed::Positive, "the exponent of the elastic force";
     BALL_RADIUS = "membrane" "ball_radius" Allowed::Positive, "the radius of the ball, m";
     MEMBRANE_RADIUS = "membrane" "membrane_radius" Allowed::Positive, "the radius of the undeformed membrane, m";
     INPUT_VOLTAGE = "membrane" "input_voltage" Allowed::Positive, "the input voltage, V";
-    PHASE = "start" "phase" Allowed::Finite, "the phase of the forcing at the first impact, rad";
-    VELOCITY = "start" "velocity" Allowed::NotNegative, "the velocity just before the first impact, without unit";
+    PHASE = "start" "phase" Allowed::Finite, "the phase of the forcing at the start, rad";
+    VELOCITY = "start" "velocity" Allowed::Finite, "the velocity, without unit: its size just before the first impact, or with start.z Zdot in flight";
+    SIDE = "start" "side" Allowed::Text, "the wall of the first impact: bottom or top";
+    Z = "start" "z" Allowed::Finite, "where the ball starts in flight, without unit: from -d/2 at the top to d/2 at the bottom; of one wall 0 or less";
     OVER = "sweep" "over" Allowed::Text, "what is swept";
     FROM = "sweep" "from" Allowed::Finite, "the first value";
     TO = "sweep" "to" Allowed::Finite, "the last value";
@@ -278,9 +287,10 @@ impl DiagramKeys {
 }
 
 /// The sections, in the order of DESIGN.
-pub(super) const SECTIONS: [&str; 16] = [
+pub(super) const SECTIONS: [&str; 17] = [
     "device",
     "motion",
+    "forcing",
     "membrane",
     "start",
     "sweep",
@@ -386,6 +396,10 @@ pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'sta
         Allowed::Part => (
             sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
             "above 0 and at most 1",
+        ),
+        Allowed::Restitution => (
+            sign != Ordering::Less && value.compared_with_one() != Ordering::Greater,
+            "from 0 to 1",
         ),
         Allowed::Angle => (
             value.value::<f64>().abs() <= std::f64::consts::FRAC_PI_2 * (1.0 + f64::EPSILON),

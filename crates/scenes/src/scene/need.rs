@@ -52,6 +52,9 @@ const DEVICE_G: [&Key; 4] = [
 /// The keys that give the units of length, velocity and time.
 const SCALES: [&Key; 3] = [&key::CAPSULE_MASS, &key::FORCING_AMPLITUDE, &key::ANGULAR_FREQUENCY];
 const START: [&Key; 2] = [&key::PHASE, &key::VELOCITY];
+/// What says more of a start, and of the motion, where it is given.
+const START_OPTIONS: [&Key; 2] = [&key::SIDE, &key::Z];
+const MOTION_OPTIONS: [&Key; 3] = [&key::WALLS, &key::COSINES, &key::SINES];
 const MEMBRANE: [&Key; 6] = [
     &key::BALL_MASS,
     &key::STIFFNESS,
@@ -154,9 +157,13 @@ impl Scene {
                     required.extend(RangeKeys::SWEEP.all());
                 }
             }
-            Want::Impacts => required.extend(START),
+            Want::Impacts => {
+                required.extend(START);
+                optional.extend(START_OPTIONS);
+            }
             Want::Trajectory => {
                 required.extend(START);
+                optional.extend(START_OPTIONS);
                 // with a frequency the device gives its motion in SI too
                 if self.has_device() {
                     optional.push(&key::ANGULAR_FREQUENCY);
@@ -175,6 +182,7 @@ impl Scene {
                 optional.extend([error, most_impacts]);
                 optional.extend(LONG_RUN_OPTIONS);
                 required.extend(START);
+                optional.extend(START_OPTIONS);
             }
             Want::Map => {
                 required.extend(RangeKeys::X.all());
@@ -191,6 +199,7 @@ impl Scene {
                 optional.extend(LONG_RUN_OPTIONS);
                 if !self.has_starts() {
                     required.extend(START);
+                    optional.extend(START_OPTIONS);
                 }
                 if self.wants_of_map()?.iter().any(|want| want.is_voltage()) {
                     required.extend(MEMBRANE);
@@ -237,6 +246,7 @@ impl Scene {
         }
         if want != Want::Voltage {
             let holds_length = want == Want::Optimum && swept.contains(&Over::ForcingAmplitude);
+            optional.extend(MOTION_OPTIONS);
             let keys = self.motion_keys(&swept).into_iter();
             required.extend(keys.filter(|key| !(holds_length && **key == key::D)));
         }
@@ -253,9 +263,14 @@ impl Scene {
         } else {
             &[&key::G]
         };
-        let walls = [&key::D, &key::R_B, &key::R_T];
+        // what is no choice of walls is told where that is read
+        let walls: &[&'static Key] = match self.has_top() {
+            Ok(false) => &[&key::R_B],
+            _ => &[&key::D, &key::R_B, &key::R_T],
+        };
         walls
-            .into_iter()
+            .iter()
+            .copied()
             .chain(gravity.iter().copied())
             .filter(|&key| !swept.iter().any(|over| over.takes(key)))
             .collect()
@@ -272,7 +287,9 @@ impl Scene {
             for key in need.keys() {
                 self.check_key(key)?;
             }
+            self.refuse_other_motions(want)?;
             match want {
+                Want::Impacts | Want::Trajectory => self.check_place()?,
                 Want::Branch if self.branches_over_two() => drop(self.plane()?),
                 Want::Branch => drop(self.sweep()?),
                 Want::Sweep => {
@@ -296,6 +313,38 @@ impl Scene {
                 && want != Want::Voltage
             {
                 self.one_gravity()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what is known of two walls under one cosine alone, and a parameter that one wall does not have.
+    fn refuse_other_motions(&self, want: Want) -> Result<(), SceneError> {
+        if want == Want::Voltage {
+            return Ok(());
+        }
+        let swept = match want {
+            Want::Sweep => vec![&key::OVER],
+            Want::Branch if !self.branches_over_two() => vec![&key::OVER],
+            Want::Map => vec![&key::X_OVER, &key::Y_OVER],
+            _ => Vec::new(),
+        };
+        for key in swept {
+            let over = self.over(key, Some(want))?;
+            if !self.has_top()? && matches!(over, Over::D | Over::RT | Over::R) {
+                let allowed = "a parameter of one wall: motion.walls leaves r_b, g, incline and forcing_amplitude";
+                return Err(self.wrong(key, self.require(key, None)?, allowed.to_owned()));
+            }
+        }
+        let is_of_one_cosine = want == Want::Optimum || (want == Want::Branch && self.branches_over_two());
+        if !is_of_one_cosine {
+            return Ok(());
+        }
+        for key in MOTION_OPTIONS {
+            let Some(entry) = self.document.get(key) else { continue };
+            if *key != key::WALLS || !self.has_top()? {
+                let allowed = format!("left out: {want} is of two walls under one cosine");
+                return Err(self.wrong(key, entry, allowed));
             }
         }
         Ok(())

@@ -3,9 +3,10 @@
 use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
 use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys, allowed_number, one_of};
+use super::setting::{Harmonics, driven};
 use super::sweep::{Begin, Diagram, Extent, Map, MapWant, Over, Spaced, StartGrid, Sweep};
 use super::{Quantity, Start, Want};
-use dynamics::model::{Device, Membrane, MembraneError, Motion, Scales, gravity_component};
+use dynamics::model::{Device, Membrane, MembraneError, Motion, Scales, Side, gravity_component};
 use dynamics::orbit::{OrbitOptions, Word, WordError};
 use numbers::Analytic;
 
@@ -155,8 +156,30 @@ impl Scene {
     pub(super) fn motion_with<T: Analytic>(&self, swept: Swept) -> Result<Motion<T>, SceneError> {
         let g = self.gravity(swept)?;
         let number = |key| self.value_with::<T>(key, swept);
-        Motion::new(g, number(&key::D)?, number(&key::R_B)?, number(&key::R_T)?)
+        let motion = match self.has_top()? {
+            true => Motion::new(g, number(&key::D)?, number(&key::R_B)?, number(&key::R_T)?),
+            false => Motion::one_wall(g, number(&key::R_B)?),
+        };
+        let forcing = self.harmonics()?;
+        motion
+            .and_then(|motion| driven(motion, forcing.map(|harmonics| harmonics.over_number())))
             .map_err(|error| self.error(None, error))
+    }
+
+    /// Whether there is a wall at the top.
+    pub(super) fn has_top(&self) -> Result<bool, SceneError> {
+        Ok(self.one_of_known(&key::WALLS, &["both", "bottom"])? == "both")
+    }
+
+    /// The forcing where `[forcing]` gives it; else it is cos(pi t).
+    pub(super) fn harmonics(&self) -> Result<Option<Harmonics<Quantity>>, SceneError> {
+        if !self.document.has_section("forcing") {
+            return Ok(None);
+        }
+        Ok(Some(Harmonics {
+            cosines: self.numbers(&key::COSINES)?,
+            sines: self.numbers(&key::SINES)?,
+        }))
     }
 
     /// g, from wherever it comes.
@@ -248,15 +271,63 @@ impl Scene {
         self.number(&key::FORCING_AMPLITUDE)
     }
 
-    /// The impact that a motion starts with.
+    /// The start of a motion.
     ///
     /// # Errors
     /// A key of `[start]` that is lacking or out of its range.
     pub fn start(&self) -> Result<Start, SceneError> {
-        Ok(Start {
+        let is_given = |key| self.document.get(key).is_some();
+        let start = Start {
             phase: self.number(&key::PHASE)?,
             velocity: self.number(&key::VELOCITY)?,
-        })
+            side: self.start_side()?,
+            position: is_given(&key::Z).then(|| self.number(&key::Z)).transpose()?,
+        };
+        if is_given(&key::Z) && is_given(&key::SIDE) {
+            let allowed = "left out where start.z says where the ball is in flight".to_owned();
+            return Err(self.wrong(&key::SIDE, self.require(&key::SIDE, None)?, allowed));
+        }
+        self.check_start(&start, &key::VELOCITY, self.require(&key::VELOCITY, None)?)?;
+        Ok(start)
+    }
+
+    /// The wall of the first impact.
+    pub(super) fn start_side(&self) -> Result<Side, SceneError> {
+        match self.one_of_known(&key::SIDE, &["bottom", "top"])? {
+            "top" if self.has_top()? => Ok(Side::Top),
+            "top" => {
+                let allowed = "bottom: motion.walls leaves no other".to_owned();
+                Err(self.wrong(&key::SIDE, self.require(&key::SIDE, None)?, allowed))
+            }
+            _ => Ok(Side::Bottom),
+        }
+    }
+
+    /// That the velocity of an impact is its size.
+    fn check_start(&self, start: &Start, key: &'static Key, velocity: &Entry) -> Result<(), SceneError> {
+        match start.position {
+            None if start.velocity.sign() == std::cmp::Ordering::Less => {
+                Err(self.wrong(key, velocity, "0 or more: the size of that of an impact".to_owned()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// That the ball starts between the walls.
+    pub(super) fn check_place(&self) -> Result<(), SceneError> {
+        let (Some(entry), Some(z)) = (self.document.get(&key::Z), self.start()?.position) else {
+            return Ok(());
+        };
+        let motion = self.motion::<f64>()?;
+        let (z, half) = (z.value::<f64>(), 0.5 * motion.d());
+        if z > half || (motion.has_top() && z < -half) {
+            let allowed = match motion.has_top() {
+                true => format!("from -d/2 to d/2, {half}"),
+                false => "0 or less: the wall is at 0, and Z points down".to_owned(),
+            };
+            return Err(self.wrong(&key::Z, entry, allowed));
+        }
+        Ok(())
     }
 
     /// The values of the sweep.
@@ -470,19 +541,20 @@ impl Scene {
             };
             if let Some((name, entry)) = keys
                 .iter()
-                .find(|(name, _)| !["phase", "velocity"].contains(&name.as_str()))
+                .find(|(name, _)| !["phase", "velocity", "z"].contains(&name.as_str()))
             {
-                return Err(self.wrong(key, entry, format!("phase and velocity, not {name}")));
+                return Err(self.wrong(key, entry, format!("phase, velocity and z, not {name}")));
             }
-            let number = |like: &'static key::Key| {
-                let found = keys.iter().find(|(name, _)| name == like.name);
-                let (_, entry) = found.ok_or_else(|| self.wrong(key, entry, allowed()))?;
-                self.number_in(like, entry)
+            let find = |name: &str| keys.iter().find(|(own, _)| own == name).map(|(_, entry)| entry);
+            let required = |like: &'static key::Key| find(like.name).ok_or_else(|| self.wrong(key, entry, allowed()));
+            let start = Start {
+                phase: self.number_in(&key::PHASE, required(&key::PHASE)?)?,
+                velocity: self.number_in(&key::VELOCITY, required(&key::VELOCITY)?)?,
+                side: Side::Bottom,
+                position: find("z").map(|entry| self.number_in(&key::Z, entry)).transpose()?,
             };
-            Ok(Start {
-                phase: number(&key::PHASE)?,
-                velocity: number(&key::VELOCITY)?,
-            })
+            self.check_start(&start, key, required(&key::VELOCITY)?)?;
+            Ok(start)
         };
         list.iter().map(start).collect()
     }
@@ -570,7 +642,6 @@ fn read_word(text: &str) -> Result<Word, String> {
 mod tests {
     use super::*;
     use crate::scene::find;
-    use dynamics::model::Side;
     use dynamics::orbit::{Family, ParameterPlane};
 
     #[test]
@@ -584,7 +655,7 @@ mod tests {
             ("TBT", "\"BTT\""),
             ("bt", "only B (bottom) and T (top)"),
             ("", "as in BT or BTT"),
-            ("BTBTBTB", "at most 6"),
+            ("BTBTBTBTBTBTB", "at most"),
         ] {
             assert!(read_word(text).is_err_and(|allowed| allowed.contains(wanted)), "{text}");
         }

@@ -4,7 +4,7 @@ use super::error::SceneError;
 use super::key;
 use super::sweep::Over;
 use super::{Quantity, Scene};
-use dynamics::model::{Exact, Motion, MotionError, Parameters, gravity_component};
+use dynamics::model::{Exact, Forcing, Motion, MotionError, Parameters, gravity_component};
 use dynamics::orbit::Family;
 use numbers::Analytic;
 use std::cmp::Ordering;
@@ -25,6 +25,49 @@ enum Gravity<Q> {
     },
 }
 
+/// The amplitudes of a forcing of period 2, as typed or over one number.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Harmonics<Q> {
+    pub cosines: Vec<Q>,
+    pub sines: Vec<Q>,
+}
+
+impl Harmonics<Quantity> {
+    pub fn over_number<T: Analytic>(&self) -> Harmonics<T> {
+        let values = |typed: &[Quantity]| typed.iter().map(Quantity::value).collect();
+        Harmonics {
+            cosines: values(&self.cosines),
+            sines: values(&self.sines),
+        }
+    }
+
+    /// The harmonics that are not 0.
+    pub fn count(&self) -> usize {
+        let is_there = |typed: Option<&Quantity>| typed.is_some_and(|typed| typed.sign() != Ordering::Equal);
+        let orders = 0..self.cosines.len().max(self.sines.len());
+        orders
+            .filter(|index| is_there(self.cosines.get(*index)) || is_there(self.sines.get(*index)))
+            .count()
+    }
+
+    /// Whether f half a period later is -f.
+    fn is_odd(&self) -> bool {
+        let mut amplitudes = self.cosines.iter().enumerate().chain(self.sines.iter().enumerate());
+        amplitudes.all(|(index, typed)| index % 2 == 0 || typed.sign() == Ordering::Equal)
+    }
+}
+
+/// The motion under a forcing, or under that of the paper.
+pub(super) fn driven<T: Analytic>(
+    motion: Motion<T>,
+    harmonics: Option<Harmonics<T>>,
+) -> Result<Motion<T>, MotionError> {
+    let Some(Harmonics { cosines, sines }) = harmonics else {
+        return Ok(motion);
+    };
+    motion.with_forcing(Forcing::periodic(T::from_integer(2), &cosines, &sines)?)
+}
+
 /// All that a motion needs, checked; what is swept is left open. As typed, or over one number for a whole sweep
 /// ([`Setting::over_number`]).
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +76,9 @@ pub struct Setting<Q = Quantity> {
     d: Option<Q>,
     r_b: Option<Q>,
     r_t: Option<Q>,
+    has_top: bool,
+    /// Where it is not the paper's.
+    harmonics: Option<Harmonics<Q>>,
 }
 
 impl Scene {
@@ -76,6 +122,8 @@ impl Scene {
             d: open(&key::D)?,
             r_b: open(&key::R_B)?,
             r_t: open(&key::R_T)?,
+            has_top: self.has_top()?,
+            harmonics: self.harmonics()?,
         })
     }
 }
@@ -124,6 +172,8 @@ impl Setting {
             d: value(&self.d),
             r_b: value(&self.r_b),
             r_t: value(&self.r_t),
+            has_top: self.has_top,
+            harmonics: self.harmonics.as_ref().map(Harmonics::over_number),
         }
     }
 
@@ -157,7 +207,11 @@ impl<T: Analytic> Setting<T> {
                 gravity.clone(),
             ),
         };
-        Motion::new(g, or_swept(&self.d), or_swept(&self.r_b), or_swept(&self.r_t))
+        let motion = match self.has_top {
+            true => Motion::new(g, or_swept(&self.d), or_swept(&self.r_b), or_swept(&self.r_t)),
+            false => Motion::one_wall(g, or_swept(&self.r_b)),
+        };
+        driven(motion?, self.harmonics.clone())
     }
 }
 
@@ -180,9 +234,14 @@ impl Family for Setting {
     }
 
     fn is_symmetric(&self) -> bool {
+        if !self.has_top || self.harmonics.as_ref().is_some_and(|harmonics| !harmonics.is_odd()) {
+            return false;
+        }
         // what is left open has one value
         let is_one = |r: &Quantity| r.compared_with_one() == Ordering::Equal;
-        self.r_b == self.r_t && (self.is_weightless() || self.r_b.as_ref().is_some_and(is_one))
+        // the cosine of the paper is its own reversal too
+        let is_reversed = self.harmonics.is_none() && self.r_b.as_ref().is_some_and(is_one);
+        self.r_b == self.r_t && (self.is_weightless() || is_reversed)
     }
 }
 

@@ -31,11 +31,14 @@ impl Scene {
             return Ok(());
         };
         match key.allowed {
+            Allowed::Text if *key == key::WALLS => drop(self.has_top()?),
+            Allowed::Text if *key == key::SIDE => drop(self.start_side()?),
             Allowed::Text => drop(self.text(key, entry)?),
             Allowed::Names if *key == key::WORDS => drop(self.words()?),
             Allowed::Names if *key == key::MAP_WANT => drop(self.wants_of_map()?),
             Allowed::Names => drop(self.want()?),
             Allowed::Starts => drop(self.starts()?),
+            Allowed::Numbers => drop(self.numbers(key)?),
             Allowed::Range => drop(self.range_of(key)?),
             Allowed::Count(_) => drop(self.count(key)?),
             _ => drop(self.number(key)?),
@@ -62,6 +65,29 @@ impl Scene {
             None => Ok(value),
             Some(allowed) => Err(self.wrong(key, entry, allowed.to_string())),
         }
+    }
+
+    /// The numbers of a list; none where the key is not given.
+    pub(super) fn numbers(&self, key: &'static Key) -> Result<Vec<Quantity>, SceneError> {
+        let Some(entry) = self.document.get(key) else {
+            return Ok(Vec::new());
+        };
+        match &entry.value {
+            Value::List(list) => list.iter().map(|item| self.number_in(key, item)).collect(),
+            _ => Err(self.wrong(key, entry, "a list of numbers, as in [1.0, 0.0, 0.3]".to_owned())),
+        }
+    }
+
+    /// The text of a key, one of those known; the first where it is not given.
+    pub(super) fn one_of_known<'a>(&self, key: &'static Key, known: &[&'a str]) -> Result<&'a str, SceneError> {
+        let Some(entry) = self.document.get(key) else {
+            return Ok(known[0]);
+        };
+        let name = self.text(key, entry)?;
+        let found = known.iter().find(|known| **known == name);
+        found
+            .copied()
+            .ok_or_else(|| self.wrong(key, entry, key::one_of(name, known)))
     }
 
     pub(super) fn count_or(&self, key: &'static Key, default: u32) -> Result<u32, SceneError> {

@@ -1,6 +1,7 @@
 //! Many balls on their way, side by side.
 
 use super::super::scaled::{Departure, Scaled};
+use super::super::waves::Cosine;
 use crate::model::Side;
 
 /// The orbits that are followed together: the compiler makes vectors of the loops over them.
@@ -76,10 +77,10 @@ impl Lanes {
             row[lane] = r;
         }
         self.gap[lane] = f64::INFINITY;
-        if let Some(turn) = &scaled.turn {
+        if let Some(turn) = scaled.turns.first() {
             self.gap[lane] = scaled.gap;
-            self.turn[lane] = turn.angle;
-            self.turn_sin[lane] = turn.sin;
+            self.turn[lane] = turn.phase;
+            self.turn_sin[lane] = turn.waves.sin;
         }
         for angles in self.latest.as_flattened_mut() {
             angles[lane] = 0.0;
@@ -94,12 +95,12 @@ impl Lanes {
     }
 
     /// Lets the ball of a lane leave a wall.
-    pub fn depart(&mut self, lane: usize, from: &Departure<f64>) {
+    pub fn depart(&mut self, lane: usize, from: &Departure<f64, Cosine<f64>>) {
         let sign = from.side.sign();
         self.side[lane] = sign;
         self.phase[lane] = from.phase;
-        self.sin[lane] = sign * from.sin;
-        self.cos[lane] = sign * from.cos;
+        self.sin[lane] = sign * from.waves.sin;
+        self.cos[lane] = sign * from.waves.cos;
         self.speed[lane] = from.speed;
     }
 
@@ -116,14 +117,17 @@ impl Lanes {
     }
 
     /// The departure of a lane's ball.
-    pub fn departure(&self, lane: usize) -> Departure<f64> {
+    pub fn departure(&self, lane: usize) -> Departure<f64, Cosine<f64>> {
         let sign = self.side[lane];
         Departure {
             side: self.side(lane),
             phase: self.phase[lane],
-            sin: sign * self.sin[lane],
-            cos: sign * self.cos[lane],
+            waves: Cosine {
+                sin: sign * self.sin[lane],
+                cos: sign * self.cos[lane],
+            },
             speed: self.speed[lane],
+            height: None,
             released: false,
         }
     }

@@ -180,7 +180,10 @@ impl TrackedLanes {
             }
             *place = waiting.next();
             match place {
-                Some(ball) => self.lanes.enter(lane, ball.motion.simulation.course.scaled()),
+                Some(ball) => match ball.motion.simulation.course.ordinary() {
+                    Some(scaled) => self.lanes.enter(lane, scaled),
+                    None => self.lanes.leave(lane),
+                },
                 None => {
                     self.lanes.leave(lane);
                     return false;
@@ -283,7 +286,7 @@ mod tests {
         let velocity = side.signed(speed);
         (
             Motion::new(g, d, r_b, r_t).expect("a motion"),
-            Start { side, phase, velocity },
+            Start::impact(side, phase, velocity),
         )
     }
 

@@ -281,19 +281,19 @@ fn reduced(phase: f64) -> (f64, f64) {
 mod tests {
     use super::*;
     use crate::impact::scaled::{Departure, Scaled};
+    use crate::impact::waves::{Cosine, Waves};
     use crate::model::{Motion, Side};
 
     /// A ball that leaves the bottom, in every lane.
     fn lanes(motion: [f64; 4], phase: f64, speed: f64) -> Lanes {
         let [g, d, r_b, r_t] = motion;
         let scaled = Scaled::new(&Motion::new(g, d, r_b, r_t).expect("a motion"));
-        let (sin, cos) = phase.sin_cos();
         let from = Departure {
             side: Side::Bottom,
             phase,
-            sin,
-            cos,
+            waves: Cosine::at(&(), &phase),
             speed,
+            height: None,
             released: false,
         };
         let mut lanes = Lanes::idle();

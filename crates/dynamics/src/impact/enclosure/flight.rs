@@ -4,8 +4,9 @@
 //! the wall for as long as D + V x - K x²/2 > 0. Leap by leap the flight comes as near to its contact as rounding lets
 //! it, and never beyond; then the speed there bounds how soon it is met, and Newton's method over intervals how exactly.
 
-use super::super::expansion::{Expansion, seen};
+use super::super::expansion::Expansion;
 use super::super::swing::{REACH, Swing};
+use super::super::waves::{Bounds, Waves};
 use crate::model::{Motion, Side};
 use numbers::{Analytic, Endpoint, Field, Interval};
 use stop;
@@ -25,25 +26,41 @@ const STRETCH: f64 = 8.0;
 /// What is left of a leap for the roundings of its length.
 const CAUTION: f64 = 1.0 - 1e-9;
 
+/// A box of departures from a wall.
+#[derive(Clone, Debug)]
+pub(super) struct Launch<E: Endpoint> {
+    pub side: Side,
+    /// Phase, and speed away from the wall.
+    pub state: [Interval<E>; 2],
+    /// The distance from the wall of a ball that starts in flight.
+    pub height: Option<Interval<E>>,
+    /// Whether the departure is the very phase at which f + g vanishes.
+    pub released: bool,
+}
+
 /// A flight from a box of departures, in units without pi.
-pub(super) struct Flight<E: Endpoint> {
+pub(super) struct Flight<E: Endpoint, W: Waves<Interval<E>>> {
     pub side: Side,
     pub phase: Interval<E>,
-    pub start: Expansion<Interval<E>>,
+    pub start: Expansion<Interval<E>, W>,
+    pub is_free: bool,
+    drive: W::Drive,
+    bounds: Bounds,
     /// g as seen from the wall that was left.
     g: Interval<E>,
-    gap: Interval<E>,
+    /// `None` without a wall at the top.
+    gap: Option<Interval<E>>,
     /// Whether f + g vanishes at the departure.
     released: bool,
 }
 
 /// Where every flight of the box ends: its first contact, and the only one within the angle.
-pub(super) struct Contact<E: Endpoint> {
+pub(super) struct Contact<E: Endpoint, W> {
     pub wall: Side,
     pub angle: Interval<E>,
     /// The rate of approach at the wall.
     pub speed: Interval<E>,
-    pub there: Expansion<Interval<E>>,
+    pub there: Expansion<Interval<E>, W>,
 }
 
 /// How a wall is approached: the distance, and its rate.
@@ -52,64 +69,73 @@ struct Approach<E: Endpoint> {
     rate: Interval<E>,
 }
 
-impl<E: Endpoint> Flight<E> {
-    /// Out of a box of phases and speeds away from the wall; `released` where the departure is the very phase at which
-    /// f + g vanishes.
-    pub fn new(motion: &Motion<Interval<E>>, side: Side, [phase, speed]: [Interval<E>; 2], released: bool) -> Self {
-        let (sin, cos) = seen(side, phase.sincos());
+impl<E: Endpoint, W: Waves<Interval<E>>> Flight<E, W> {
+    /// Out of a box of departures.
+    pub fn new(motion: &Motion<Interval<E>>, launch: &Launch<E>) -> Self {
+        let side = launch.side;
+        let [phase, speed] = launch.state.clone();
+        let drive = W::drive(motion);
+        let waves = W::at(&drive, &phase).seen(side);
         let g = side.signed(motion.g().clone());
-        let pi = Interval::<E>::pi();
+        let zero = || Interval::from_integer(0);
         Self {
             side,
             phase,
             start: Expansion {
-                y: Interval::from_integer(0),
+                y: launch.height.clone().unwrap_or_else(zero),
                 w: speed,
-                push: if released {
-                    Interval::from_integer(0)
-                } else {
-                    cos.clone() + g.clone()
-                },
-                sin,
-                cos,
+                push: if launch.released { zero() } else { waves.f() + g.clone() },
+                waves,
             },
+            is_free: launch.height.is_some(),
+            bounds: W::bounds(&drive),
+            drive,
             g,
-            gap: pi.square() * motion.d().clone(),
-            released,
+            gap: motion
+                .has_top()
+                .then(|| Interval::<E>::pi().square() * motion.d().clone()),
+            released: launch.released,
         }
+    }
+
+    /// The forcing at an angle after the departure, as seen from the wall that was left.
+    fn waves(&self, x: Interval<E>) -> W {
+        W::at(&self.drive, &(self.phase.clone() + x)).seen(self.side)
+    }
+
+    fn is_short(&self, x: &Interval<E>) -> bool {
+        above(&x.high()) * self.bounds.highest < REACH
     }
 
     /// The flight at an angle after the departure.
-    fn at(&self, x: &Interval<E>) -> Expansion<Interval<E>> {
-        if is_short(x) {
-            return self.start.swung(x, Swing::enclosing(x));
+    fn at(&self, x: &Interval<E>) -> Expansion<Interval<E>, W> {
+        if self.is_short(x) {
+            return self.start.swung(x, Swing::enclosing);
         }
-        let (sin, cos) = seen(self.side, (self.phase.clone() + x.clone()).sincos());
-        self.start.far(&self.g, x, sin, cos)
+        self.start.far(&self.g, x, self.waves(x.clone()))
     }
 
-    /// The derivative of the distance by the phase of the departure: x cos + sin - sin(x + .).
-    pub fn lifted(&self, contact: &Contact<E>) -> Interval<E> {
-        let (x, start) = (&contact.angle, &self.start);
-        if is_short(x) {
-            let Swing { fall, lag, .. } = Swing::enclosing(x);
-            return start.cos.clone() * lag + start.sin.clone() * fall;
+    /// The derivative of the distance by the phase of the departure: x f(0) + F_1(0) - F_1(x).
+    pub fn lifted(&self, contact: &Contact<E, W>) -> Interval<E> {
+        let (x, waves) = (&contact.angle, &self.start.waves);
+        if self.is_short(x) {
+            return waves.after(x, Swing::enclosing).1.f1;
         }
-        x.clone() * start.cos.clone() + start.sin.clone() - contact.there.sin.clone()
+        x.clone() * waves.f() + waves.f1() - contact.there.waves.f1()
     }
 
-    fn approach(&self, wall: Side, there: &Expansion<Interval<E>>) -> Approach<E> {
+    /// `None` where there is no such wall.
+    fn approach(&self, wall: Side, there: &Expansion<Interval<E>, W>) -> Option<Approach<E>> {
         if wall == self.side {
-            Approach {
+            return Some(Approach {
                 distance: there.y.clone(),
                 rate: -there.w.clone(),
-            }
-        } else {
-            Approach {
-                distance: self.gap.clone() - there.y.clone(),
-                rate: there.w.clone(),
-            }
+            });
         }
+        Some(Approach {
+            distance: self.gap.clone()? - there.y.clone(),
+            rate: there.w.clone(),
+        })
     }
 
     /// The most that a ball is ever accelerated towards a wall, and away from it.
@@ -119,17 +145,17 @@ impl<E: Endpoint> Flight<E> {
         } else {
             -self.g.clone()
         };
-        let one = Interval::from_integer(1);
-        [one.clone() + g.clone(), one - g].map(|pull| above(&pull.high()).max(f64::MIN_POSITIVE))
+        let f = Interval::from_f64(self.bounds.f);
+        [f.clone() + g.clone(), f - g].map(|pull| above(&pull.high()).max(f64::MIN_POSITIVE))
     }
 
     /// The first contact; `None` where that is not decided, by how exactly the departure is known or by rounding.
     ///
     /// With it the angle up to which no wall is met.
-    pub fn contact(&self) -> (E, Option<Contact<E>>) {
+    pub fn contact(&self) -> (E, Option<Contact<E, W>>) {
         let walls = [self.side, self.side.opposite()];
         let mut x = E::zero();
-        if self.start.w.high() == E::zero() {
+        if self.start.w.high() == E::zero() && !self.is_free {
             match self.lifted_off() {
                 Some(angle) => x = angle,
                 None => return (x, None),
@@ -141,11 +167,13 @@ impl<E: Endpoint> Flight<E> {
             } else {
                 self.at(&Interval::point(x.clone()))
             };
-            let [near, far] = walls.map(|wall| self.approach(wall, &there));
-            let clear =
-                [(&near, walls[0]), (&far, walls[1])].map(|(approach, wall)| self.clear(approach, wall, &there));
-            for (index, approach) in [&near, &far].into_iter().enumerate() {
-                let Some(reach) = self.reach(approach, walls[index]) else {
+            let approaches = walls.map(|wall| self.approach(wall, &there));
+            let clear = [0, 1].map(|index| self.clear(approaches[index].as_ref(), walls[index], &there));
+            for (index, approach) in approaches.iter().enumerate() {
+                let Some((approach, reach)) = approach
+                    .as_ref()
+                    .and_then(|approach| Some((approach, self.reach(approach, walls[index])?)))
+                else {
                     continue;
                 };
                 // the other wall is not met before this one is
@@ -167,9 +195,12 @@ impl<E: Endpoint> Flight<E> {
 
     /// For how long a wall is not met, whatever is decided of the distance now: it is at least 0, by the leaps before.
     ///
-    /// Over an angle s the pull is at most `now + slope s + s²/2`, with what it is now and its slope: less than it is ever
-    /// where a flight is short, so that the leap is stretched as far as that bears.
-    fn clear(&self, approach: &Approach<E>, wall: Side, there: &Expansion<Interval<E>>) -> f64 {
+    /// Over an angle s the pull is at most `now + slope s + bend s²/2`, with what it is now, its slope, and a bound of |f''|:
+    /// less than it is ever where a flight is short, so that the leap is stretched as far as that bears.
+    fn clear(&self, approach: Option<&Approach<E>>, wall: Side, there: &Expansion<Interval<E>, W>) -> f64 {
+        let Some(approach) = approach else {
+            return f64::INFINITY;
+        };
         let [most, _] = self.pulls(wall);
         let distance = below(&approach.distance.low()).max(0.0);
         let recession = below(&(-approach.rate.clone()).low());
@@ -192,11 +223,11 @@ impl<E: Endpoint> Flight<E> {
         } else {
             (-there.push.clone()).high()
         });
-        let slope = above(&there.sin.magnitude());
+        let slope = above(&there.waves.fall().magnitude());
         let mut clear = leap(most);
         while clear > 0.0 {
             let further = STRETCH * clear;
-            let pull = (now + further * (slope + further)).max(f64::MIN_POSITIVE);
+            let pull = (now + further * (slope + self.bounds.bend * further)).max(f64::MIN_POSITIVE);
             if pull.is_nan() || pull >= most {
                 break;
             }
@@ -224,7 +255,7 @@ impl<E: Endpoint> Flight<E> {
     }
 
     /// The contact between `x`, up to which there is none, and `reach` further on.
-    fn refined(&self, wall: Side, x: &E, reach: E, approach: &Approach<E>) -> Option<Contact<E>> {
+    fn refined(&self, wall: Side, x: &E, reach: E, approach: &Approach<E>) -> Option<Contact<E, W>> {
         let end = Interval::point(x.clone()) + Interval::point(reach.clone());
         let angle = Interval::new(x.clone(), end.high());
         let half = approach.rate.clone() / Interval::from_integer(2);
@@ -234,12 +265,12 @@ impl<E: Endpoint> Flight<E> {
     }
 
     /// The contact in an angle that holds one and no other, where the wall is approached at one of the rates.
-    pub fn narrowed(&self, wall: Side, mut angle: Interval<E>, rates: &Interval<E>) -> Option<Contact<E>> {
+    pub fn narrowed(&self, wall: Side, mut angle: Interval<E>, rates: &Interval<E>) -> Option<Contact<E, W>> {
         for step in 0..=MOST_STEPS {
             let there = self.at(&angle);
-            let speed = self.approach(wall, &there).rate.intersection(rates)?;
+            let speed = self.approach(wall, &there)?.rate.intersection(rates)?;
             let middle = Interval::point(angle.midpoint());
-            let distance = self.approach(wall, &self.at(&middle)).distance;
+            let distance = self.approach(wall, &self.at(&middle))?.distance;
             let narrower = (middle + distance / speed.clone()).intersection(&angle)?;
             let width = Interval::point(angle.width());
             let gain = width.clone() - Interval::point(narrower.width());
@@ -260,16 +291,16 @@ impl<E: Endpoint> Flight<E> {
     /// An angle within which a ball without velocity has left its wall for certain and meets none.
     fn lifted_off(&self) -> Option<E> {
         let wall = self.side.opposite();
-        let other = self.clear(&self.approach(wall, &self.start), wall, &self.start);
+        let other = self.clear(self.approach(wall, &self.start).as_ref(), wall, &self.start);
         let mut angle = E::from_f64((other * CAUTION).min(0.5));
         for _ in 0..MOST_HALVINGS {
             let all = Interval::new(E::zero(), angle.clone());
-            let (sin, cos) = seen(self.side, (self.phase.clone() + all).sincos());
+            let waves = self.waves(all);
             // from a push of 0 that falls, or from one below 0 that stays there, the distance only grows
             let lifts = if self.released {
-                sin.is_positive()
+                waves.fall().is_positive()
             } else {
-                (cos + self.g.clone()).is_negative()
+                (waves.f() + self.g.clone()).is_negative()
             };
             if lifts {
                 return Some(angle);
@@ -285,7 +316,7 @@ impl<E: Endpoint> Flight<E> {
     /// ends with a speed between u sqrt(l/h) and u sqrt(h/l): with restitution r the times are bounded by geometric
     /// series of the ratios r sqrt(l/h) and r sqrt(h/l).
     pub fn accumulation(&self, restitution: &Interval<E>) -> Option<Interval<E>> {
-        if self.released {
+        if self.released || self.is_free {
             return None;
         }
         let one = || Interval::<E>::from_integer(1);
@@ -296,8 +327,7 @@ impl<E: Endpoint> Flight<E> {
         }
         let guess = (twice.clone() + twice.clone()) / (self.start.push.clone() * room);
         let window = Interval::new(E::zero(), guess.high());
-        let (_, cos) = seen(self.side, (self.phase.clone() + window.clone()).sincos());
-        let push = cos + self.g.clone();
+        let push = self.waves(window.clone()).f() + self.g.clone();
         if !push.is_positive() {
             return None;
         }
@@ -311,13 +341,12 @@ impl<E: Endpoint> Flight<E> {
         let earliest = total(twice.low(), &high, low.clone() / high.clone())?;
         let angle = Interval::new(earliest.low(), latest.high());
         let rise = self.start.w.square() / (low.clone() + low);
-        let stays = angle.is_subset(&window) && (self.gap.clone() - rise).is_positive();
-        stays.then_some(angle)
+        let is_below_top = match &self.gap {
+            Some(gap) => (gap.clone() - rise).is_positive(),
+            None => true,
+        };
+        (angle.is_subset(&window) && is_below_top).then_some(angle)
     }
-}
-
-fn is_short<E: Endpoint>(x: &Interval<E>) -> bool {
-    above(&x.high()) < REACH
 }
 
 /// A lower bound in f64.

@@ -3,11 +3,13 @@
 mod flight;
 mod set;
 
-use self::flight::{Contact, Flight};
+use self::flight::{Contact, Flight, Launch};
 use self::set::Set;
 use super::chatter::LISTED;
 use super::event::{Event, Kind};
 use super::start::Start;
+use super::turns::enclosed;
+use super::waves::{Cosine, Several, Waves};
 use crate::model::{Motion, Side};
 use numbers::{Analytic, Endpoint, Field, Interval};
 use stop;
@@ -20,8 +22,14 @@ const MOST_HIDDEN: usize = 1_000_000;
 enum Place<E: Endpoint> {
     /// About to make the impact that the motion starts with.
     Beginning(Start<Interval<E>>),
-    /// Leaving a wall with one of these phases and speeds; `released` where f + g is just taking it off.
-    Leaving { side: Side, set: Set<E>, released: bool },
+    /// Leaving a wall with one of these phases and speeds, or starting in flight at a distance from it; `released` where
+    /// f + g is just taking it off.
+    Leaving {
+        side: Side,
+        set: Set<E>,
+        height: Option<Interval<E>>,
+        released: bool,
+    },
     /// At rest on a wall since this phase.
     Resting { side: Side, since: Interval<E> },
     /// Nothing happens any more, or nothing is known.
@@ -56,7 +64,7 @@ impl<E: Endpoint> Enclosure<E> {
             place: Place::Beginning(start.clone()),
             turns: 0,
             completing: <E as Analytic>::epsilon(),
-            has_started: false,
+            has_started: start.position.is_some(),
             exhaustive: false,
             idle: 0,
         }
@@ -99,15 +107,62 @@ impl<E: Endpoint> Enclosure<E> {
 
     fn advance(&mut self) -> Option<Event<Interval<E>>> {
         match std::mem::replace(&mut self.place, Place::Ended) {
+            Place::Beginning(Start {
+                phase,
+                velocity,
+                position: Some(position),
+                ..
+            }) => Some(self.begin_in_flight(phase, &position, velocity)),
             Place::Beginning(start) => Some(self.begin(start)),
-            Place::Leaving { side, set, released } => Some(self.fly(side, &set, released)),
+            Place::Leaving {
+                side,
+                set,
+                height,
+                released,
+            } => Some(self.depart(side, &set, height, released)),
             Place::Resting { side, since } => self.release(side, &since),
             Place::Ended => None,
         }
     }
 
+    /// The impact that ends a flight from between the walls; the start is no event.
+    fn begin_in_flight(
+        &mut self,
+        phase: Interval<E>,
+        position: &Interval<E>,
+        velocity: Interval<E>,
+    ) -> Event<Interval<E>> {
+        let wall = self.motion.d().clone() * Interval::from_ratio(1, 2);
+        let distances = [wall.clone() - position.clone(), position.clone() + wall];
+        let is_inside = distances[0].low() > E::zero() && (distances[1].low() > E::zero() || !self.motion.has_top());
+        let [reduced, _] = self.reduced([phase.clone(), phase]);
+        let is_told = reduced.is_finite() && velocity.is_finite() && self.turns.unsigned_abs() < 1 << 53;
+        if !(is_inside && is_told && distances[0].is_finite()) {
+            return self.undecided(Side::Bottom, reduced);
+        }
+        let [height, _] = distances;
+        let set = Set::of([reduced, -(velocity * Interval::pi())]);
+        let height = Some(height * Interval::<E>::pi().square());
+        self.depart(Side::Bottom, &set, height, false)
+    }
+
+    fn depart(&mut self, side: Side, set: &Set<E>, height: Option<Interval<E>>, released: bool) -> Event<Interval<E>> {
+        let launch = Launch {
+            side,
+            state: set.hull().clone(),
+            height,
+            released,
+        };
+        match self.motion.other_forcing() {
+            None => self.fly::<Cosine<Interval<E>>>(&launch, set),
+            Some(_) => self.fly::<Several<Interval<E>>>(&launch, set),
+        }
+    }
+
     fn begin(&mut self, start: Start<Interval<E>>) -> Event<Interval<E>> {
-        let Start { side, phase, velocity } = start;
+        let Start {
+            side, phase, velocity, ..
+        } = start;
         let [phase, _] = self.reduced([phase.clone(), phase]);
         let speed = side.signed(velocity.clone());
         // the phase loses as many digits as its turns take
@@ -117,8 +172,12 @@ impl<E: Endpoint> Enclosure<E> {
         }
         let launch = self.restitution(side).clone() * speed * Interval::pi();
         let set = Set::of([phase.clone(), launch]);
-        let released = false;
-        self.place = Place::Leaving { side, set, released };
+        self.place = Place::Leaving {
+            side,
+            set,
+            height: None,
+            released: false,
+        };
         self.event(Kind::Impact, side, phase, velocity)
     }
 
@@ -134,35 +193,46 @@ impl<E: Endpoint> Enclosure<E> {
         phases.map(|phase| phase - angle.clone())
     }
 
-    fn fly(&mut self, side: Side, set: &Set<E>, released: bool) -> Event<Interval<E>> {
-        let flight = Flight::new(&self.motion, side, set.hull().clone(), released);
+    fn fly<W: Waves<Interval<E>>>(&mut self, launch: &Launch<E>, set: &Set<E>) -> Event<Interval<E>> {
+        let side = launch.side;
+        let flight = Flight::<E, W>::new(&self.motion, launch);
         if let Some(event) = self.completed(&flight) {
             return event;
         }
         let (clear, contact) = flight.contact();
-        let landed = contact.and_then(|contact| Some((self.landed(&flight, set, &contact, released)?, contact)));
+        let landed = contact.and_then(|contact| Some((self.landed(&flight, launch, set, &contact)?, contact)));
         let Some((set, contact)) = landed else {
             let [phase, _] = self.reduced([flight.phase.clone() + Interval::point(clear), Interval::from_integer(0)]);
             return self.undecided(side, phase);
         };
         let wall = contact.wall;
         let [phase, launch] = set.hull().clone();
-        let speed = launch / self.restitution(wall).clone();
-        let speed = speed.intersection(&contact.speed).unwrap_or(contact.speed) / Interval::pi();
+        // a plastic impact leaves nothing to tell the speed by
+        let restitution = self.restitution(wall);
+        let by_launch = restitution.is_positive().then(|| launch / restitution.clone());
+        let speed = by_launch.and_then(|speed| speed.intersection(&contact.speed));
+        let speed = speed.unwrap_or(contact.speed) / Interval::pi();
         let event = self.event(Kind::Impact, wall, phase, wall.signed(speed));
         self.place = Place::Leaving {
             side: wall,
             set,
+            height: None,
             released: false,
         };
         event
     }
 
     /// The departures after a contact.
-    fn landed(&mut self, flight: &Flight<E>, set: &Set<E>, contact: &Contact<E>, released: bool) -> Option<Set<E>> {
-        let wall = contact.wall;
+    fn landed<W: Waves<Interval<E>>>(
+        &mut self,
+        flight: &Flight<E, W>,
+        launch: &Launch<E>,
+        set: &Set<E>,
+        contact: &Contact<E, W>,
+    ) -> Option<Set<E>> {
+        let (wall, released) = (contact.wall, launch.released);
         let restitution = self.restitution(wall).clone();
-        let after = |flight: &Flight<E>, contact: &Contact<E>| {
+        let after = |flight: &Flight<E, W>, contact: &Contact<E, W>| {
             [
                 flight.phase.clone() + contact.angle.clone(),
                 restitution.clone() * contact.speed.clone(),
@@ -173,7 +243,11 @@ impl<E: Endpoint> Enclosure<E> {
         let image = if released {
             hull.clone()
         } else {
-            let centre = Flight::new(&self.motion, flight.side, set.centre(), false);
+            let launch = Launch {
+                state: set.centre(),
+                ..launch.clone()
+            };
+            let centre = Flight::<E, W>::new(&self.motion, &launch);
             let narrowed = centre.narrowed(wall, contact.angle.clone(), &contact.speed)?;
             after(&centre, &narrowed)
         };
@@ -189,7 +263,7 @@ impl<E: Endpoint> Enclosure<E> {
     }
 
     /// The rest that a chatter ends with, where what is known here proves that it does.
-    fn completed(&mut self, flight: &Flight<E>) -> Option<Event<Interval<E>>> {
+    fn completed<W: Waves<Interval<E>>>(&mut self, flight: &Flight<E, W>) -> Option<Event<Interval<E>>> {
         let side = flight.side;
         let is_slow = flight.start.w.high().to_f64() < LISTED;
         let angle = flight.accumulation(self.restitution(side)).filter(|_| is_slow)?;
@@ -203,30 +277,48 @@ impl<E: Endpoint> Enclosure<E> {
         Some(self.event(Kind::Rest, side, phase, Interval::from_integer(0)))
     }
 
-    /// cos(phase) = -g, where f + g begins to pull the ball off.
+    /// Where f + g begins to pull the ball off: cos(phase) = -g under the forcing of the paper.
     fn release(&mut self, side: Side, since: &Interval<E>) -> Option<Event<Interval<E>>> {
+        let released = match self.motion.other_forcing() {
+            None => self.release_of_cosine(side),
+            Some(_) => enclosed(&Several::drive(&self.motion), self.motion.g()).map(|turns| {
+                let falling = side == Side::Bottom;
+                let turns = turns.into_iter().filter(|turn| turn.1 == falling);
+                turns.map(|(phase, _)| phase).collect()
+            }),
+        };
+        let Some(phases) = released else {
+            return Some(self.undecided(side, since.clone()));
+        };
+        // the push is positive from the rest on: the two are apart
+        let later = phases.iter().find(|phase| phase.midpoint() >= since.midpoint());
+        let phase = later.or(phases.first())?.clone();
+        if later.is_none() {
+            self.turns += 1;
+        }
+        let set = Set::of([phase.clone(), Interval::from_integer(0)]);
+        self.place = Place::Leaving {
+            side,
+            set,
+            height: None,
+            released: true,
+        };
+        Some(self.event(Kind::Release, side, phase, Interval::from_integer(0)))
+    }
+
+    /// The phase at which a wall releases under the forcing of the paper, if it does; `None` where that is not told.
+    fn release_of_cosine(&self, side: Side) -> Option<Vec<Interval<E>>> {
         let one = || Interval::<E>::from_integer(1);
         let g = self.motion.g().clone();
         let room = (one() - g.clone()) * (one() + g.clone());
         if room.high() <= E::zero() {
-            return None;
+            return Some(Vec::new());
         }
-        if !room.is_positive() {
-            return Some(self.undecided(side, since.clone()));
-        }
-        let angle = (-g).acos();
-        let phase = match side {
+        let angle = room.is_positive().then(|| (-g).acos())?;
+        Some(vec![match side {
             Side::Bottom => angle,
             Side::Top => Interval::pi() + Interval::pi() - angle,
-        };
-        // the push is positive from the rest on: the two are apart
-        if phase.midpoint() < since.midpoint() {
-            self.turns += 1;
-        }
-        let set = Set::of([phase.clone(), Interval::from_integer(0)]);
-        let released = true;
-        self.place = Place::Leaving { side, set, released };
-        Some(self.event(Kind::Release, side, phase, Interval::from_integer(0)))
+        }])
     }
 
     /// The next event that is listed.
@@ -276,7 +368,11 @@ fn is_hidden<E: Endpoint>(event: &Event<Interval<E>>) -> bool {
 }
 
 /// The derivatives of phase and launch speed after a contact by those before: (20), (21) in units without pi.
-fn slopes<E: Endpoint>(flight: &Flight<E>, contact: &Contact<E>, restitution: &Interval<E>) -> [[Interval<E>; 2]; 2] {
+fn slopes<E: Endpoint, W: Waves<Interval<E>>>(
+    flight: &Flight<E, W>,
+    contact: &Contact<E, W>,
+    restitution: &Interval<E>,
+) -> [[Interval<E>; 2]; 2] {
     let is_back = contact.wall == flight.side;
     let towards = |value: Interval<E>| if is_back { -value } else { value };
     let (start, there) = (&flight.start, &contact.there);
@@ -284,7 +380,7 @@ fn slopes<E: Endpoint>(flight: &Flight<E>, contact: &Contact<E>, restitution: &I
     let one = Interval::<E>::from_integer(1);
     let by_phase = -(flight.lifted(contact) / rate.clone());
     let by_speed = -(contact.angle.clone() / rate);
-    let gained = start.cos.clone() - there.cos.clone();
+    let gained = start.waves.f() - there.waves.f();
     let speed = |direct: Interval<E>, angle: &Interval<E>| {
         restitution.clone() * towards(direct - there.push.clone() * angle.clone())
     };

@@ -48,11 +48,7 @@ fn drawn(drawn: &mut Sequence) -> (Motion<f64>, Start<f64>) {
     let motion = Motion::new(g, 10_f64.powf(draw(-4.0, 2.0)), r_b, r_t).expect("a motion");
     let velocity = [0.0, 1e-8, draw(0.0, 3.0), draw(0.0, 3.0)][draw(0.0, 4.0) as usize];
     let side = [Side::Bottom, Side::Top][draw(0.0, 2.0) as usize];
-    let start = Start {
-        side,
-        phase: draw(-50.0, 50.0),
-        velocity: side.signed(velocity),
-    };
+    let start = Start::impact(side, draw(-50.0, 50.0), side.signed(velocity));
     (motion, start)
 }
 
@@ -73,11 +69,7 @@ fn every_event_lies_in_its_enclosure_and_none_is_missed_or_invented() {
 #[test]
 fn on_a_motion_that_attracts_enclosures_stay_as_narrow_as_they_are() {
     let motion = Motion::new(0.12201, 0.26, 0.6, 0.3).expect("a motion");
-    let start = Start {
-        side: Side::Bottom,
-        phase: 6.18,
-        velocity: 0.5293,
-    };
+    let start = Start::impact(Side::Bottom, 6.18, 0.5293);
     let mut events = enclosure::<f64>(&motion, &start);
     let widest = events
         .by_ref()
@@ -92,11 +84,7 @@ fn on_a_motion_that_attracts_enclosures_stay_as_narrow_as_they_are() {
 fn what_is_no_start_is_no_event() {
     let motion = Motion::new(0.1, 0.26, 0.6, 0.3).expect("a motion");
     for (phase, velocity) in [(f64::NAN, 1.0), (1.0, -1.0), (1.0, f64::INFINITY), (1e300, 1.0)] {
-        let start = Start {
-            side: Side::Bottom,
-            phase,
-            velocity,
-        };
+        let start = Start::impact(Side::Bottom, phase, velocity);
         let kinds: Vec<Kind> = enclosure::<f64>(&motion, &start)
             .map(|event| event.kind)
             .take(3)

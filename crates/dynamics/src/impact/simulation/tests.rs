@@ -11,11 +11,7 @@ fn motion(g: f64, d: f64, r_b: f64, r_t: f64) -> Motion<f64> {
 }
 
 fn start(phase: f64, velocity: f64) -> Start<f64> {
-    Start {
-        side: Side::Bottom,
-        phase,
-        velocity,
-    }
+    Start::impact(Side::Bottom, phase, velocity)
 }
 
 fn events(motion: &Motion<f64>, start: &Start<f64>, count: usize) -> Vec<Event<f64>> {
@@ -57,7 +53,7 @@ proptest! {
     #[test]
     fn turns_of_the_start_and_the_mirror_image_change_nothing_else(motion in motions(), phase in 0.0..TAU, velocity in 0.0..3.0) {
         let start = start(phase, velocity);
-        let mirrored = Start { side: Side::Top, phase: phase + PI, velocity: -velocity };
+        let mirrored = Start::impact(Side::Top, phase + PI, -velocity);
         let turned = Start { phase: phase + 3.0 * TAU, ..start.clone() };
         let mut followed = Simulation::new(&motion, &start).with_growth();
         let mut image = Simulation::new(&motion.mirrored().expect("two walls"), &mirrored).with_growth();

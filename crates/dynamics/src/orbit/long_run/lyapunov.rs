@@ -26,7 +26,6 @@ pub fn lyapunov(motion: &Motion<f64>, cycle: &Attractor) -> Option<f64> {
 /// The size of the largest multiplier of a cycle, from the Jacobians (20), (21) along its impacts; `None` where it
 /// grazes exactly.
 pub fn largest_multiplier<T: Analytic>(motion: &Motion<T>, impacts: &[Event<T>], periods: i64) -> Option<T> {
-    let push = |event: &Event<T>| event.phase.sincos().1 + motion.g().clone();
     let after = |index: usize| impacts.get(index + 1).or(impacts.first());
     let mut product: Matrix2<T> = Matrix2::identity();
     let mut losses = T::one();
@@ -39,8 +38,8 @@ pub fn largest_multiplier<T: Analytic>(motion: &Motion<T>, impacts: &[Event<T>],
             restitution: restitution.clone(),
             velocity: from.velocity.clone(),
             time: turns + (to.phase.clone() - from.phase.clone()) / T::pi(),
-            push: push(from),
-            pull: push(to),
+            push: motion.push(&from.phase),
+            pull: motion.push(&to.phase),
             arrival: to.velocity.clone(),
         };
         product = link.scaled_jacobian() * product / to.velocity.clone();
@@ -69,7 +68,7 @@ mod tests {
     fn cycle(d: f64, [r_b, r_t]: [f64; 2]) -> (Motion<f64>, Attractor) {
         let motion = Motion::new(0.12201, d, r_b, r_t).expect("a motion");
         let (side, phase, velocity) = (Side::Bottom, 6.18, 0.5293);
-        let start = Start { side, phase, velocity };
+        let start = Start::impact(side, phase, velocity);
         let settled = SteadyState::after(Widening::new(&motion, &start), 500, 60);
         (motion, settled.attractor.expect("a cycle"))
     }

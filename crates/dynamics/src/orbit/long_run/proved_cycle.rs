@@ -82,7 +82,7 @@ mod tests {
 
     fn cycle(motion: Motion<f64>) -> (Motion<f64>, Attractor) {
         let (side, phase, velocity) = (Side::Bottom, 6.18, 0.5293);
-        let events = Widening::new(&motion, &Start { side, phase, velocity });
+        let events = Widening::new(&motion, &Start::impact(side, phase, velocity));
         let cycle = SteadyState::after(events, 500, 60).attractor.expect("a cycle");
         (motion, cycle)
     }

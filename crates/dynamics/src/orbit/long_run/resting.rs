@@ -5,23 +5,38 @@ use crate::model::{MotionError, Parameters, Side};
 use numbers::{Analytic, Digits, DoubleDouble, Rung, at_digits};
 use stop;
 
-/// The walls from which a ball has been released.
+/// The releases of a ball so far.
 ///
-/// The ball leaves a wall at rest at the phase where the acceleration of the wall changes sign, which g alone gives:
-/// one on each wall.
+/// The ball leaves a wall at rest at a phase where f + g changes its sign, which the motion alone gives: one on each wall
+/// under the cosine of the paper, some on each under several harmonics.
 #[derive(Clone, Debug, Default)]
 pub struct Releases {
-    released: [bool; 2],
+    seen: Vec<(Side, f64)>,
+}
+
+/// Phases of release that are no farther apart are one.
+const SAME: f64 = 1e-6;
+
+fn is_same_release(event: &Event<f64>, side: Side, phase: f64) -> bool {
+    event.kind == Kind::Release && event.side == side && (event.phase - phase).abs() < SAME
 }
 
 impl Releases {
-    /// Takes in an event: whether it is a release from a wall that the ball was released from before.
+    /// Takes in an event: whether it is a release that the ball has had before.
     pub fn is_second(&mut self, event: &Event<f64>) -> bool {
-        event.kind == Kind::Release && std::mem::replace(&mut self.released[usize::from(event.side == Side::Top)], true)
+        if event.kind != Kind::Release {
+            return false;
+        }
+        let is_known = |(side, phase): &(Side, f64)| is_same_release(event, *side, *phase);
+        let is_second = self.seen.iter().any(is_known);
+        if !is_second {
+            self.seen.push((event.side, event.phase));
+        }
+        is_second
     }
 }
 
-/// A cycle through a rest: from a release to the next one from that wall.
+/// A cycle through a rest: from a release to the next one from that wall at that phase.
 ///
 /// The release is known by itself to every digit, so all of the cycle is that of the exact parameters, in a number wide
 /// enough for the estimated errors of its events to stay below 1e-13.
@@ -29,6 +44,8 @@ impl Releases {
 pub struct RestingCycle {
     /// The wall that releases the ball.
     pub side: Side,
+    /// The phase of the release, rad, to 1e-6 or better.
+    pub phase: f64,
     /// The number that holds the cycle.
     pub number: Rung,
     /// The forcing periods it takes.
@@ -45,14 +62,14 @@ const EXACT: f64 = 1e-13;
 const HELD: usize = 20_000;
 
 impl RestingCycle {
-    /// The cycle on which the ball is released from `side`; else the impacts within which it is known not to come back: at
+    /// The cycle on which the ball is released from `side` at `phase`, rad; else the impacts within which it is known not to come back: at
     /// most `most`, and as far as f64 and wider numbers of up to `digits` digits hold.
     ///
     /// # Errors
     /// A parameter out of its range.
     pub fn find(
         parameters: &impl Parameters,
-        side: Side,
+        (side, phase): (Side, f64),
         most: u64,
         digits: u32,
     ) -> Result<Result<Self, u64>, MotionError> {
@@ -61,6 +78,7 @@ impl RestingCycle {
         for number in Rung::Double.and_wider().filter(may_be_spent) {
             let cycle = Self {
                 side,
+                phase,
                 number,
                 periods: 0,
                 events: Vec::new(),
@@ -129,7 +147,7 @@ impl RestingCycle {
         mut visit: impl FnMut(&Event<f64>) -> bool,
     ) -> Result<Option<i64>, MotionError> {
         let motion = parameters.motion::<T>()?;
-        let Some(simulation) = Simulation::released(&motion, self.side) else {
+        let Some(simulation) = Simulation::released(&motion, self.side, self.phase) else {
             return Ok(None);
         };
         let mut simulation = simulation.with_growth();
@@ -139,7 +157,7 @@ impl RestingCycle {
                 break;
             }
             let event = event.convert(T::to_f64);
-            let is_release = event.kind == Kind::Release && event.side == self.side;
+            let is_release = is_same_release(&event, self.side, self.phase);
             match released {
                 None => released = Some(event.turns),
                 Some(_) if !visit(&event) => break,
@@ -158,28 +176,40 @@ mod tests {
 
     #[test]
     fn the_second_release_from_a_wall_closes_a_cycle() {
-        let event = |kind, side| Event {
+        let event = |kind, side, phase| Event {
             kind,
             side,
             turns: 0,
-            phase: 1.0,
+            phase,
             velocity: 0.0,
         };
         let mut releases = Releases::default();
         let told = [
-            (Kind::Release, Side::Bottom, false),
-            (Kind::Impact, Side::Bottom, false),
-            (Kind::Release, Side::Top, false),
-            (Kind::Release, Side::Bottom, true),
-            (Kind::Release, Side::Top, true),
+            (Kind::Release, Side::Bottom, 1.0, false),
+            (Kind::Impact, Side::Bottom, 1.0, false),
+            (Kind::Release, Side::Top, 1.0, false),
+            (Kind::Release, Side::Bottom, 4.0, false),
+            (Kind::Release, Side::Bottom, 1.0, true),
+            (Kind::Release, Side::Top, 1.0, true),
         ];
-        for (kind, side, closes) in told {
-            assert_eq!(releases.is_second(&event(kind, side)), closes, "{kind} {side}");
+        for (kind, side, phase, closes) in told {
+            assert_eq!(releases.is_second(&event(kind, side, phase)), closes, "{kind} {side}");
         }
     }
 
+    /// The one release from a wall, of |g| up to 1.
+    fn release(motion: &Motion<f64>, side: Side) -> (Side, f64) {
+        let angle = (-motion.g()).clamp(-1.0, 1.0).acos();
+        let phase = if side == Side::Bottom {
+            angle
+        } else {
+            std::f64::consts::TAU - angle
+        };
+        (side, phase)
+    }
+
     fn periods(motion: &Motion<f64>, side: Side) -> Option<(i64, Rung)> {
-        let found = RestingCycle::find(motion, side, 10_000, 200).unwrap();
+        let found = RestingCycle::find(motion, release(motion, side), 10_000, 200).unwrap();
         found.ok().map(|cycle| (cycle.periods, cycle.number))
     }
 
@@ -203,7 +233,7 @@ mod tests {
         ] {
             let motion = Motion::new(g, d, r_b, r_t).unwrap();
             for side in [Side::Bottom, Side::Top] {
-                let Ok(cycle) = RestingCycle::find(&motion, side, 1000, 100).unwrap() else {
+                let Ok(cycle) = RestingCycle::find(&motion, release(&motion, side), 1000, 100).unwrap() else {
                     continue;
                 };
                 found += 1;

@@ -426,7 +426,7 @@ mod tests {
 
     fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics> {
         let (side, phase, velocity) = (Side::Bottom, 6.18, 0.5293);
-        let start = Start { side, phase, velocity };
+        let start = Start::impact(side, phase, velocity);
         let settled = SteadyState::after(Widening::new(motion, &start), 500, 60);
         let voltage = |impact: &Event<f64>| impact.velocity.abs();
         let measure = Averaging {
@@ -456,7 +456,7 @@ mod tests {
         for d in [0.26, 0.27, 0.33, 0.45] {
             let motion = Motion::new(0.12201, d, 0.6, 0.3).unwrap();
             let (side, phase, velocity) = (Side::Bottom, 6.18, 0.5293);
-            let settled = SteadyState::after(Widening::new(&motion, &Start { side, phase, velocity }), 500, 60);
+            let settled = SteadyState::after(Widening::new(&motion, &Start::impact(side, phase, velocity)), 500, 60);
             let cycle = settled.attractor.unwrap();
             let found = measured(&motion, over(2000)).unwrap();
             let exact = lyapunov(&motion, &cycle).unwrap();
