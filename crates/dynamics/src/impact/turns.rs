@@ -169,10 +169,6 @@ pub(super) fn enclosed<E: Endpoint>(
     drive: &[Harmonic<Interval<E>>],
     g: &Interval<E>,
 ) -> Option<Vec<(Interval<E>, bool)>> {
-    let around = |value: &Interval<E>| {
-        let [low, high] = [value.low(), value.high()].map(|end| end.to_f64());
-        Interval::new(low.next_down(), high.next_up())
-    };
     let harmonics: Vec<_> = drive
         .iter()
         .map(|harmonic| Harmonic {
@@ -194,6 +190,15 @@ pub(super) fn enclosed<E: Endpoint>(
     }
     phases.sort_by(|(one, _), (other, _)| one.to_f64().total_cmp(&other.to_f64()));
     Some(phases)
+}
+
+/// An interval over f64 around one over another number.
+pub(super) fn around<E: Endpoint>(value: &Interval<E>) -> Interval<f64> {
+    let [low, high] = [value.low(), value.high()];
+    if low.is_zero() && high.is_zero() {
+        return Interval::point(0.0);
+    }
+    Interval::new(low.to_f64().next_down(), high.to_f64().next_up())
 }
 
 /// The zero in an interval on which f + g is monotone, by Newton's method over intervals.

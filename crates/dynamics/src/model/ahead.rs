@@ -54,10 +54,6 @@ impl<T: Analytic> Ahead<T> {
         Self { waves }
     }
 
-    pub(super) fn waves(&self) -> &[Wave<T>] {
-        &self.waves
-    }
-
     /// f(t), at the instant itself.
     pub fn now(&self) -> T {
         self.waves.iter().fold(T::zero(), |sum, wave| sum + wave.along.clone())

@@ -59,6 +59,17 @@ impl<T: Analytic> Harmonic<T> {
             sine,
         }
     }
+
+    /// The term at `time`, and what it is a quarter of its own period later.
+    #[inline]
+    fn at(&self, time: &T) -> [T; 2] {
+        let (sin, cos) = (self.rate.clone() * time.clone()).sincos();
+        let (a, b) = (&self.cosine, &self.sine);
+        [
+            a.clone() * cos.clone() + b.clone() * sin.clone(),
+            b.clone() * cos - a.clone() * sin,
+        ]
+    }
 }
 
 impl<T: Analytic> Forcing<T> {
@@ -154,30 +165,36 @@ impl<T: Analytic> Forcing<T> {
             f1: T::zero(),
             f2: T::zero(),
         };
-        for wave in self.ahead(time).waves() {
-            let inverse = wave.inverse.clone();
-            forced.f += wave.along.clone();
-            forced.f1 -= wave.across.clone() * inverse.clone();
-            forced.f2 -= wave.along.clone() * inverse.clone() * inverse;
+        let time = self.centred(time);
+        for harmonic in &self.harmonics {
+            let [along, across] = harmonic.at(&time);
+            let (first, inverse) = (across * harmonic.inverse.clone(), &harmonic.inverse);
+            forced.f2 -= along.clone() * inverse.clone() * inverse.clone();
+            forced.f += along;
+            forced.f1 -= first;
         }
         forced
     }
 
+    /// `time` less the nearest whole period, exactly: just before the end of one the sine is as small as just after.
+    fn centred(&self, time: &T) -> T {
+        let time = self.reduced(time);
+        if time.to_f64() > 0.5 * self.period.to_f64() {
+            return time - self.period.clone();
+        }
+        time
+    }
+
     /// The forcing as it looks from `time` onwards.
     pub fn ahead(&self, time: &T) -> Ahead<T> {
-        let mut time = self.reduced(time);
-        // about the nearest whole period, exactly: just before the end of one the sine is as small as just after
-        if time.to_f64() > 0.5 * self.period.to_f64() {
-            time -= self.period.clone();
-        }
+        let time = self.centred(time);
         let waves = self.harmonics.iter().map(|harmonic| {
-            let (sin, cos) = (harmonic.rate.clone() * time.clone()).sincos();
-            let (a, b) = (harmonic.cosine.clone(), harmonic.sine.clone());
+            let [along, across] = harmonic.at(&time);
             Wave {
                 rate: harmonic.rate.clone(),
                 inverse: harmonic.inverse.clone(),
-                along: a.clone() * cos.clone() + b.clone() * sin.clone(),
-                across: b * cos - a * sin,
+                along,
+                across,
             }
         });
         Ahead::new(waves.collect())

@@ -193,6 +193,12 @@ impl<E: Endpoint, W: Waves<Interval<E>>> Flight<E, W> {
         (x, None)
     }
 
+    /// The wall of the first contact, with its angle and the rate of approach; `None` where that is not decided.
+    pub fn told(&self) -> Option<(Side, [Interval<E>; 2])> {
+        let contact = self.contact().1?;
+        Some((contact.wall, [contact.angle, contact.speed]))
+    }
+
     /// For how long a wall is not met, whatever is decided of the distance now: it is at least 0, by the leaps before.
     ///
     /// Over an angle s the pull is at most `now + slope s + bend s²/2`, with what it is now, its slope, and a bound of |f''|:

@@ -8,10 +8,10 @@ use self::set::Set;
 use super::chatter::LISTED;
 use super::event::{Event, Kind};
 use super::start::Start;
-use super::turns::enclosed;
+use super::turns::{around, enclosed};
 use super::waves::{Cosine, Several, Waves};
 use crate::model::{Motion, Side};
-use numbers::{Analytic, Endpoint, Field, Interval};
+use numbers::{Analytic, Endpoint, Field, Interval, Rung};
 use stop;
 
 /// A chatter of more impacts below [`LISTED`] than this is listed, not completed.
@@ -45,6 +45,8 @@ enum Place<E: Endpoint> {
 #[derive(Clone, Debug)]
 pub struct Enclosure<E: Endpoint> {
     motion: Motion<Interval<E>>,
+    /// The same in f64, of a wider number: what is met, and when about, is told in that already.
+    narrow: Option<Motion<Interval<f64>>>,
     place: Place<E>,
     turns: i64,
     /// A chatter is completed where that leaves no more than this of the phase open, or no more than is open already.
@@ -61,6 +63,10 @@ impl<E: Endpoint> Enclosure<E> {
     pub fn new(motion: &Motion<Interval<E>>, start: &Start<Interval<E>>) -> Self {
         Self {
             motion: motion.clone(),
+            narrow: match E::rung() {
+                Rung::Single | Rung::Double => None,
+                _ => motion.convert(around).ok(),
+            },
             place: Place::Beginning(start.clone()),
             turns: 0,
             completing: <E as Analytic>::epsilon(),
@@ -199,7 +205,10 @@ impl<E: Endpoint> Enclosure<E> {
         if let Some(event) = self.completed(&flight) {
             return event;
         }
-        let (clear, contact) = flight.contact();
+        let (clear, contact) = match self.told_in_f64(&flight, launch) {
+            Some(contact) => (E::zero(), Some(contact)),
+            None => flight.contact(),
+        };
         let landed = contact.and_then(|contact| Some((self.landed(&flight, launch, set, &contact)?, contact)));
         let Some((set, contact)) = landed else {
             let [phase, _] = self.reduced([flight.phase.clone() + Interval::point(clear), Interval::from_integer(0)]);
@@ -220,6 +229,25 @@ impl<E: Endpoint> Enclosure<E> {
             released: false,
         };
         event
+    }
+
+    /// The contact of a flight over a wider number, where intervals over f64 prove which it is.
+    fn told_in_f64<W: Waves<Interval<E>>>(&self, flight: &Flight<E, W>, launch: &Launch<E>) -> Option<Contact<E, W>> {
+        let narrow = self.narrow.as_ref()?;
+        let launch = Launch {
+            side: launch.side,
+            state: launch.state.each_ref().map(around),
+            height: launch.height.as_ref().map(around),
+            released: launch.released,
+        };
+        let contact = match narrow.other_forcing() {
+            None => Flight::<f64, Cosine<Interval<f64>>>::new(narrow, &launch).told(),
+            Some(_) => Flight::<f64, Several<Interval<f64>>>::new(narrow, &launch).told(),
+        };
+        let (wall, [angle, speed]) = contact?;
+        let [angle, speed] =
+            [angle, speed].map(|value| Interval::new(E::from_f64(value.low()), E::from_f64(value.high())));
+        flight.narrowed(wall, angle, &speed)
     }
 
     /// The departures after a contact.
