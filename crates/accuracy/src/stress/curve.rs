@@ -2,7 +2,7 @@
 
 use super::StressError;
 use super::approach::{Approach, CHAOS, GAP, GRAVITY, GRAZING, IMPACTS, LOSSLESS};
-use super::impacts::SimulatedImpact;
+use super::impacts::{Setup, SimulatedImpact};
 use super::lanes;
 use super::long;
 use super::motion::{self, Scene, Triple};
@@ -74,7 +74,11 @@ fn scene(approach: Approach, parameters: [f64; 4]) -> Option<Followed> {
 }
 
 fn impact(inputs: [f64; 6], impacts: u32) -> Option<Followed> {
-    Some(Followed::Impact(SimulatedImpact { inputs, impacts }))
+    Some(Followed::Impact(SimulatedImpact {
+        inputs,
+        setup: Setup::Paper,
+        impacts,
+    }))
 }
 
 /// How high the ball flies after the impact of [`GRAZED`]: the gap at which it grazes the top.

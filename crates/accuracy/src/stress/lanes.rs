@@ -1,7 +1,7 @@
 //! Impacts followed in lanes, as a sweep does, and one by one, where a device is at an extreme.
 
 use super::StressError;
-use super::impacts::{SimulatedImpact, error, fix};
+use super::impacts::{Setup, SimulatedImpact, error, fix};
 use super::quantity::{Exact, widen};
 use super::row::StressRow;
 use dynamics::impact::{Batch, Start};
@@ -48,7 +48,11 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
         return Err(StressError::NoCase(case.to_owned()));
     };
     let impacts = IMPACTS;
-    let simulated = SimulatedImpact { inputs, impacts };
+    let simulated = SimulatedImpact {
+        inputs,
+        setup: Setup::Paper,
+        impacts,
+    };
     let known = simulated.known(case)?;
     let error = error(in_lanes(&inputs), &known.fix);
     let at = format!("{};motions={MOTIONS}", simulated.at());

@@ -1,7 +1,7 @@
 //! Many impacts of a motion that attracts: what rounding has made of it by then.
 
 use super::StressError;
-use super::impacts::{FORMULA, SimulatedImpact, error};
+use super::impacts::{FORMULA, Setup, SimulatedImpact, error};
 use super::motion::known;
 use super::row::{Evaluation, Form, StressRow};
 use dynamics::model::Motion;
@@ -32,6 +32,7 @@ pub(super) fn rows(case: &'static str, impacts: u32, off: f64) -> Result<Vec<Str
     let [g, d, r_b, r_t] = SCENE;
     let from = |phase: f64, velocity: f64| SimulatedImpact {
         inputs: [g, d, r_b, r_t, phase + off, velocity * (1.0 + off)],
+        setup: Setup::Paper,
         impacts,
     };
     let fault = || StressError::Point {
@@ -83,6 +84,7 @@ mod tests {
         for impacts in [0, 1, 2, 77, 3000, 20_001, 50_000] {
             let simulated = SimulatedImpact {
                 inputs: [g, d, r_b, r_t, 6.0, 0.6],
+                setup: Setup::Paper,
                 impacts,
             };
             assert_eq!(simulated.by_rounds::<f64>(), simulated.by_phase::<f64>(), "{impacts}");

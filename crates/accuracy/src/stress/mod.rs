@@ -24,6 +24,7 @@ mod branches;
 mod chatter;
 mod closed;
 mod curve;
+mod driven;
 mod eigenvalue;
 mod fall;
 mod frozen;
@@ -153,6 +154,8 @@ pub fn stress(only: Option<&str>, frozen: &str) -> Result<Vec<StressRow>, Stress
     let wanted = |case: &&str| is_wanted(case);
     let in_lanes: Vec<&str> = lanes::cases().filter(wanted).collect();
     rows.extend(gathered(in_lanes.into_par_iter().map(lanes::rows))?);
+    let driven: Vec<&str> = driven::cases().filter(wanted).collect();
+    rows.extend(gathered(driven.into_par_iter().map(driven::rows))?);
     let swept: Vec<&str> = sweeps::cases().filter(wanted).collect();
     rows.extend(gathered(swept.into_par_iter().map(sweeps::rows))?);
     let branches: Vec<&str> = branches::cases().filter(wanted).collect();

@@ -2,7 +2,7 @@
 //! voltage; and the best device near that extreme.
 
 use super::StressError;
-use super::impacts::SimulatedImpact;
+use super::impacts::{Setup, SimulatedImpact};
 use super::motion::{Known, errors, known};
 use super::quantity::{Exact, largest, widen};
 use super::row::{StressRow, place};
@@ -49,6 +49,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     let [g, d, r_b, r_t] = device;
     let from = |phase: f64, velocity: f64| SimulatedImpact {
         inputs: [g, d, r_b, r_t, phase, velocity],
+        setup: Setup::Paper,
         impacts,
     };
     let fault = || StressError::Point {

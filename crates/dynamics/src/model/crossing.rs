@@ -16,7 +16,7 @@ const MOST_STEPS: usize = 1_000_000;
 /// The walls at which a flight is to end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Watch {
-    /// Whichever comes first, as in the device.
+    /// Whichever comes first, as in the device; of one wall that.
     Both,
     /// This one alone, passing through the other: for orbits that are to be called inadmissible afterwards.
     Only(Side),
@@ -45,6 +45,7 @@ impl<T: Analytic> Flight<T> {
     /// # Errors
     /// `Unending`; `Undecided` for a grazing contact that rounding hides.
     pub fn crossing(&self, watch: Watch) -> Result<Crossing<T>, FlightError> {
+        let watch = if self.has_top { watch } else { Watch::Only(Side::Bottom) };
         let flight = self.constant();
         match flight.ahead.turnings(&flight.g) {
             Turnings::Unknown => flight.crossing_by_steps(watch),

@@ -82,6 +82,7 @@ pub struct Flight<T> {
     pub(super) launch: T,
     pub(super) g: T,
     pub(super) d: T,
+    pub(super) has_top: bool,
     pub(super) period: T,
     pub(super) ahead: Ahead<T>,
 }
@@ -135,6 +136,7 @@ impl<T: Analytic> Flight<T> {
             launch,
             g,
             d,
+            has_top: motion.has_top(),
             period,
             ahead,
         };
@@ -191,6 +193,7 @@ impl<T: Analytic> Flight<T> {
             launch: self.launch.constant(),
             g: self.g.constant(),
             d: self.d.constant(),
+            has_top: self.has_top,
             period: self.period.constant(),
             ahead: self.ahead.constant(),
         }
