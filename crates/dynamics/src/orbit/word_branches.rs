@@ -134,7 +134,7 @@ impl<F: Family + Sync> WordBranches<F> {
         }
         let fixed = family.fixed(value);
         let orbits = cycles.iter().map(|cycle| settled(wanted, &fixed, cycle));
-        let mut found = FoundOrbits::new();
+        let mut found = FoundOrbits::new(false);
         found.take(word, *periods, orbits.collect());
         Ok(found)
     }

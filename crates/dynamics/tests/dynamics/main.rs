@@ -4,6 +4,7 @@ mod bifurcations;
 mod bounds;
 mod curves;
 mod follow;
+mod forcings;
 mod model;
 mod motions;
 mod orbits;

@@ -6,7 +6,7 @@ use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::continuation::test_functions::TestFunctions;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind, touch_excess};
 use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
-use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
+use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact};
 use crate::orbit::equations::square_system::SquareSystem;
 use crate::orbit::family::Family;
 use crate::orbit::inconclusive::{Inconclusive, Property};
@@ -72,7 +72,7 @@ impl<F: Family> ConditionedWord<'_, F> {
         match self.condition {
             BifurcationCondition::ZeroVelocity(impact) => values.push(impacts[impact].velocity.clone()),
             BifurcationCondition::Touch(flight, wall) => {
-                let path = HarmonicFlight::after(&system.motion, sides[flight], &impacts[flight]);
+                let path = LaunchedFlight::after(&system.motion, sides[flight], &impacts[flight]);
                 values.extend(touch_excess(&path, wall, &at[count + 1]));
             }
             condition => values.push(condition.multiplier_excess(&flight_jacobians(&sides, &system.motion, &impacts))),
