@@ -5,19 +5,37 @@ use crate::model::MotionError;
 use crate::orbit::bifurcation::detect::detect;
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::continuation::branch::{Branch, BranchEnd};
+use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::extended_system::ExtendedSystem;
+use crate::orbit::equations::conditions::BifurcationKind;
 use crate::orbit::family::Family;
 use crate::orbit::find::{FoundOrbits, settled};
 use crate::orbit::options::OrbitOptions;
 use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::parallel::each;
-use crate::orbit::solve::starts::{brought_near, solve_word};
+use crate::orbit::solve::starts::{brought_near, listed_from, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
+use nalgebra::DMatrix;
 use numbers::Interval;
+use std::f64::consts::{PI, TAU};
 
 /// A motion found there is known to this, in radians.
 const ROOM: f64 = 1e-9;
+
+/// How far along the kernel of the equations, in radians, a branch that parts from another one is looked for.
+const PARTINGS: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
+
+/// The direction that a matrix of rank one less than its size takes to 0: the right singular vector of the least value.
+fn kernel(rows: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let matrix = DMatrix::from_fn(rows.len(), rows.len(), |row, column| rows[row][column]);
+    let svd = matrix.try_svd(false, true, f64::EPSILON, MOST_ITERATIONS)?;
+    let (least, _) = svd.singular_values.argmin();
+    Some(svd.v_t?.row(least).iter().copied().collect())
+}
+
+/// Iterations of the singular value decomposition.
+const MOST_ITERATIONS: usize = 1000;
 
 /// The branches of motions of a word that a search at some values of the parameter leads to.
 ///
@@ -76,6 +94,60 @@ impl<F: Family + Sync> WordBranches<F> {
         Ok(Self { extended, branches })
     }
 
+    /// The branch that starts at a bifurcation of the motions of `family`: at a period doubling that of the doubled word,
+    /// over twice the periods, and where a symmetry breaks that of the motions without it. It is followed as any other, and
+    /// ends in, or goes through, the bifurcation. `None` at any other bifurcation, where the doubled word would have more
+    /// than [`Word::LONGEST`] impacts, and where Newton's method finds no such branch.
+    pub fn switched(family: F, point: &BifurcationPoint, range: Interval<f64>, options: &OrbitOptions) -> Option<Self> {
+        let turns = TAU * f64::from(point.periods);
+        // phases that increase along the word, from the times
+        let later = point.times.iter().scan(*point.phases.first()?, |phase, time| {
+            let here = *phase;
+            *phase += PI * time;
+            Some(here)
+        });
+        let mut phases: Vec<f64> = later.collect();
+        let repeats = point.word.half().is_some() && point.trace > 0.0;
+        let (word, periods) = match point.kind {
+            // listed already as the doubled motion that ends there
+            BifurcationKind::PeriodDoubling if repeats => (point.word.clone(), point.periods),
+            BifurcationKind::PeriodDoubling => {
+                let again: Vec<f64> = phases.iter().map(|phase| phase + turns).collect();
+                phases.extend(again);
+                (point.word.twice()?, 2 * point.periods)
+            }
+            BifurcationKind::SymmetryBreaking => (point.word.clone(), point.periods),
+            _ => return None,
+        };
+        let spelled = word.spelled();
+        let first = (0..word.impacts()).find(|first| word.rotated(*first) == spelled)?;
+        let mut phases = listed_from(&phases, first, periods);
+        let extended = ExtendedSystem {
+            family,
+            word: spelled,
+            periods,
+            range,
+            options: *options,
+        };
+        let (_, rows) = extended.at(&point.parameter)?.linearised(&phases);
+        let kernel = kernel(&rows)?;
+        phases.push(extended.place(point.parameter));
+        let normal = [kernel, vec![0.0]].concat();
+        let branches = PARTINGS.iter().find_map(|part| {
+            let guess: Vec<f64> = phases
+                .iter()
+                .zip(&normal)
+                .map(|(phase, part_of)| phase + part * part_of)
+                .collect();
+            let (found, moved) = extended.corrected(&guess, &normal, dot(&guess, &normal))?;
+            (moved < 0.5 * part).then(|| Branch::through(&extended, found))?
+        });
+        Some(Self {
+            branches: vec![branches?],
+            extended,
+        })
+    }
+
     /// The motions at each of the values, in their order, on all cores: each proved by itself, as by
     /// [`find`](crate::orbit::find()).
     ///
@@ -127,7 +199,7 @@ impl<F: Family + Sync> WordBranches<F> {
         for guess in self.branches.iter().flat_map(|branch| branch.proposals(place)) {
             let phases = solve_word(&middle, guess).filter(|phases| moves(&middle, phases));
             let Some(phases) = phases else { continue };
-            let cycle = WordOrbit::near(&system, brought_near(&phases, std::f64::consts::PI));
+            let cycle = WordOrbit::near(&system, brought_near(&phases, PI));
             if !cycle.is_of_shorter_word() && !cycles.iter().any(|other| other.is_same(&cycle)) {
                 cycles.push(cycle);
             }

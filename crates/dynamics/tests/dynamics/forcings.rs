@@ -1,10 +1,11 @@
 //! Periodic motions under forcings with harmonics, on one wall and after plastic impacts, against a return map that is
 //! written down here in 60 digits and shares no equation with the library.
 
-use dynamics::model::{Forcing, Motion, Side};
+use dynamics::impact::{Start, Widening};
+use dynamics::model::{Forcing, Motion, MotionError, Side};
 use dynamics::orbit::{
-    BifurcationKind, BifurcationPoint, Cover, CoverError, OneOneBranches, OrbitOptions, RoundedOrbit, Word,
-    WordBranches, find, is_covered, isolate_one_one,
+    BifurcationKind, BifurcationPoint, Cover, CoverError, Family, OneOneBranches, OrbitOptions, RoundedOrbit,
+    SteadyState, Word, WordBranches, find, is_covered, isolate_one_one,
 };
 use numbers::{Analytic, Interval, Sequence, Wide};
 use std::f64::consts::{PI, TAU};
@@ -40,6 +41,16 @@ impl Device {
         }
     }
 
+    /// The motion of a plain device under cos(pi t); on one wall with d = 0.
+    fn plain(parameters: [f64; 4]) -> Self {
+        let (cosines, sines) = (vec![1.0], Vec::new());
+        Self {
+            parameters,
+            cosines,
+            sines,
+        }
+    }
+
     fn with_d(&self, d: f64) -> Self {
         let [g, _, r_b, r_t] = self.parameters;
         Self {
@@ -51,7 +62,14 @@ impl Device {
     fn motion(&self) -> Motion<f64> {
         let [g, d, r_b, r_t] = self.parameters;
         let forcing = Forcing::periodic(2.0, &self.cosines, &self.sines).expect("a forcing");
-        let motion = Motion::new(g, d, r_b, r_t).expect("a motion");
+        let motion = match d {
+            0.0 => Motion::one_wall(g, r_b),
+            _ => Motion::new(g, d, r_b, r_t),
+        };
+        let motion = motion.expect("a motion");
+        if self.cosines == [1.0] && self.sines.is_empty() {
+            return motion;
+        }
         motion.with_forcing(forcing).expect("of period 2")
     }
 
@@ -313,4 +331,256 @@ fn bifurcations_under_harmonics_are_where_the_return_map_has_them() {
             .all(|kind| kinds.contains_key(kind)),
         "{kinds:?}"
     );
+}
+
+/// Balls of one restitution on a shaken table, along gravity.
+#[derive(Clone, Copy)]
+struct Tables {
+    r: f64,
+}
+
+impl Family for Tables {
+    fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
+        Motion::one_wall(parameter.clone(), T::from_f64(self.r))
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+/// The gravity at which the period of B over n forcing periods doubles. With v = 2 n g / (1 + r) and
+/// sin(phase) = pi n g (1 - r) / (1 + r), the trace (1 + r)² (g + cos(phase)) / g - 2 r is -(1 + r²) where
+/// cos(phase) = -2 g (1 + r²) / (1 + r)²; the squares add up to 1. (Holmes 1982 has the same in other units.)
+fn doubling_of_tables(r: f64, n: f64) -> f64 {
+    let (sine, cosine) = (PI * n * (1.0 - r) / (1.0 + r), 2.0 * (1.0 + r * r) / (1.0 + r).powi(2));
+    1.0 / sine.hypot(cosine)
+}
+
+fn followed<F: Family + Sync>(family: F, text: &str, periods: u32, [low, high]: [f64; 2]) -> WordBranches<F> {
+    let range = Interval::new(low, high);
+    WordBranches::new(family, &word(text), periods, range, &OrbitOptions::DEFAULT).expect("branches")
+}
+
+fn doublings<F: Family + Sync>(branches: &WordBranches<F>) -> Vec<BifurcationPoint> {
+    let mut found = branches.bifurcations();
+    found.retain(|event| event.kind == BifurcationKind::PeriodDoubling && event.trace < 0.0);
+    found
+}
+
+#[test]
+fn a_ball_on_a_table_doubles_its_period_where_the_closed_form_says() {
+    for (r, n) in [(0.0, 1), (0.2, 1), (0.5, 1), (0.5, 3), (0.8, 1), (0.8, 2), (0.95, 1)] {
+        let g = doubling_of_tables(r, f64::from(n));
+        let found = doublings(&followed(Tables { r }, "B", n, [0.7 * g, 1.2 * g]));
+        assert!(
+            found.len() == 1 && found[0].error_bound.is_some_and(|bound| bound < 1e-13),
+            "{r} {n} {found:?}"
+        );
+        assert!(
+            (found[0].parameter / g - 1.0).abs() < 1e-12,
+            "{r} {n} {} {g}",
+            found[0].parameter
+        );
+        let (velocity, sine) = (
+            2.0 * f64::from(n) * g / (1.0 + r),
+            PI * f64::from(n) * g * (1.0 - r) / (1.0 + r),
+        );
+        assert!((found[0].velocities[0] - velocity).abs() < 1e-12 && (found[0].phases[0].sin() - sine).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn motions_on_a_table_are_fixed_points_of_the_return_map_and_never_at_the_top() {
+    let mut found = 0;
+    for (g, r) in [(0.3, 0.5), (0.12, 0.3), (0.5, 0.8), (0.2, 0.0)] {
+        let device = Device::plain([g, 0.0, r, 1.0]);
+        for (text, periods) in [("B", 2), ("BB", 2), ("BBB", 3)] {
+            let orbits = find(&device.motion(), &word(text), periods).expect("a search");
+            assert!(!orbits.is_complete(&word(text), 1));
+            for orbit in &orbits.orbits {
+                device.check(orbit);
+                found += 1;
+            }
+        }
+        assert_eq!(find(&device.motion(), &word("BT"), 1).err(), Some(MotionError::NoTop));
+    }
+    assert!(found > 15, "{found}");
+    let top = WordBranches::new(
+        Tables { r: 0.5 },
+        &word("BBT"),
+        1,
+        Interval::new(0.1, 0.3),
+        &OrbitOptions::DEFAULT,
+    );
+    assert!(matches!(top, Err(MotionError::NoTop)));
+    let cover = Cover::new(&Tables { r: 0.5 }, 1, Interval::new(0.1, 0.3), &OrbitOptions::DEFAULT);
+    assert_eq!(cover.err(), Some(CoverError::Uncovered));
+}
+
+/// How far the impacts of a motion of a doubled word are from those of a motion of the word, in velocity.
+fn halves_apart(orbit: &RoundedOrbit) -> f64 {
+    let half = orbit.velocities.len() / 2;
+    let pairs = orbit.velocities[..half].iter().zip(&orbit.velocities[half..]);
+    pairs.map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
+}
+
+/// Holds the branch that parts at a bifurcation against what is known of it: on one side alone there is a motion, it is
+/// proved, and `apart` grows with the root of the distance from the bifurcation.
+fn parts<F: Family + Sync + Copy>(
+    family: F,
+    event: &BifurcationPoint,
+    range: [f64; 2],
+    device: impl Fn(f64) -> Device,
+    apart: impl Fn(&RoundedOrbit) -> f64,
+) -> WordBranches<F> {
+    let range = Interval::new(range[0], range[1]);
+    let branches = WordBranches::switched(family, event, range, &OrbitOptions::DEFAULT).expect("a branch");
+    let step = 2e-5 * event.parameter;
+    let near = |steps: f64| {
+        branches
+            .orbits(&(event.parameter + steps * step))
+            .expect("a search")
+            .orbits
+    };
+    let sides = [-1.0, 1.0].map(|sign| near(sign).len());
+    assert!(
+        sides[0].min(sides[1]) == 0 && sides[0].max(sides[1]) > 0,
+        "{sides:?} {event:?}"
+    );
+    let sign = if sides[0] > 0 { -1.0 } else { 1.0 };
+    let [one, other] = [1.0, 4.0].map(|steps| {
+        let orbits = near(sign * steps);
+        device(event.parameter + sign * steps * step).check(&orbits[0]);
+        apart(&orbits[0])
+    });
+    assert!(
+        one > 1e-4 && (other / one - 2.0).abs() < 0.02,
+        "{one} {other} {event:?}"
+    );
+    branches
+}
+
+#[test]
+fn at_a_period_doubling_the_doubled_word_is_followed() {
+    let motion = Device::plain([0.12201, 0.26, 0.6, 0.3]);
+    let harmonics = Device {
+        sines: vec![0.2, 0.3],
+        ..motion.clone()
+    };
+    for device in [motion, harmonics] {
+        let family = device.motion();
+        for (text, range) in [("BT", [0.15, 0.5]), ("BTT", [0.15, 0.5])] {
+            for event in doublings(&followed(&family, text, 1, range)) {
+                parts(&family, &event, range, |d| device.with_d(d), halves_apart);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 3, "{count}");
+}
+
+#[test]
+fn the_period_of_a_ball_on_a_table_doubles_again_and_again() {
+    let (r, g) = (0.5, doubling_of_tables(0.5, 1.0));
+    let (family, range) = (Tables { r }, [0.6 * g, 1.1 * g]);
+    let device = |g: f64| Device::plain([g, 0.0, r, 1.0]);
+    let mut event = doublings(&followed(family, "B", 1, range)).remove(0);
+    let mut values = vec![event.parameter];
+    for impacts in [2, 4, 8] {
+        let branches = parts(family, &event, range, device, halves_apart);
+        let next = doublings(&branches)
+            .into_iter()
+            .filter(|next| next.parameter < event.parameter);
+        event = next
+            .max_by(|one, other| one.parameter.total_cmp(&other.parameter))
+            .expect("a doubling");
+        assert!(event.word.impacts() == impacts && event.periods as usize == impacts && event.error_bound.is_some());
+        assert!(excess(&device(event.parameter), &event).abs() < 1e-8, "{event:?}");
+        values.push(event.parameter);
+    }
+    // ever closer, as Feigenbaum's constant 4.669 says in the end
+    let ratio = (values[1] - values[2]) / (values[2] - values[3]);
+    assert!((3.0..7.0).contains(&ratio), "{values:?}");
+    assert!(
+        WordBranches::switched(
+            family,
+            &event,
+            Interval::new(range[0], range[1]),
+            &OrbitOptions::DEFAULT
+        )
+        .is_none()
+    );
+}
+
+#[test]
+fn where_a_symmetry_breaks_the_motions_without_it_are_followed() {
+    let device = Device::plain([0.0, 0.3, 0.6, 0.6]);
+    let (family, range) = (device.motion(), [0.1, 0.6]);
+    let covered = OneOneBranches::new(&family, 1, Interval::new(range[0], range[1]), &OrbitOptions::DEFAULT);
+    let (events, _) = covered.expect("a cover").bifurcations();
+    let mut parted = 0;
+    for event in events
+        .iter()
+        .filter(|event| event.kind == BifurcationKind::SymmetryBreaking)
+    {
+        let uneven = |orbit: &RoundedOrbit| (orbit.times[0] - orbit.times[1]).abs();
+        parts(&family, event, range, |d| device.with_d(d), uneven);
+        parted += 1;
+    }
+    assert!(parted > 0, "{events:?}");
+}
+
+#[test]
+fn after_a_plastic_impact_nothing_is_remembered() {
+    let mut found = 0;
+    for parameters in [
+        [0.12, 0.4, 0.6, 0.0],
+        [0.05, 0.3, 0.0, 0.7],
+        [-0.1, 0.2, 0.0, 0.0],
+        [0.0, 0.5, 0.0, 0.0],
+    ] {
+        let device = Device::plain(parameters);
+        let motion = device.motion();
+        let all = find(&motion, &Word::pair(), 2).expect("a search");
+        let forcing = Forcing::periodic(2.0, &[1.0], &[]).expect("a forcing");
+        let by_words = find(&motion.with_forcing(forcing).expect("of period 2"), &Word::pair(), 2).expect("a search");
+        assert_eq!(all.orbits.len(), by_words.orbits.len(), "{parameters:?}");
+        for (orbit, other) in all.orbits.iter().zip(&by_words.orbits) {
+            assert!((orbit.velocities[0] - other.velocities[0]).abs() < 1e-13);
+            assert_eq!(orbit.determinant, 0.0);
+            let [first, second] = &orbit.multipliers;
+            assert_eq!((first.re, second.re, first.im), (orbit.trace, 0.0, 0.0));
+            device.check(orbit);
+            found += 1;
+        }
+    }
+    assert!(found > 5, "{found}");
+}
+
+#[test]
+fn simulated_cycles_of_seven_to_twelve_impacts_are_among_the_motions_of_their_words() {
+    let mut sequence = Sequence::new(5);
+    let mut found = 0;
+    while found < 6 {
+        let parameters = [(0.0, 0.3), (0.05, 0.5), (0.3, 0.9), (0.3, 0.9)];
+        let device = Device::plain(parameters.map(|(low, high)| sequence.between(low, high)));
+        let motion = device.motion();
+        let (side, phase, velocity) = (Side::Bottom, 6.1, 0.5);
+        let events = Widening::new(&motion, &Start { side, phase, velocity });
+        let Some(cycle) = SteadyState::after(events, 500, 60).attractor else {
+            continue;
+        };
+        if !(7..=Word::LONGEST).contains(&cycle.word.len()) || cycle.periods.is_none_or(|periods| periods > 2) {
+            continue;
+        }
+        let Some(orbit) = cycle.proved(&motion).expect("a motion") else {
+            continue;
+        };
+        device.check(&orbit);
+        let all = find(&motion, &orbit.word.spelled(), orbit.periods).expect("a search");
+        let is_it = |other: &RoundedOrbit| (other.velocities[0] - orbit.velocities[0]).abs() < 1e-12;
+        assert!(all.orbits.iter().any(is_it), "{orbit:?}");
+        found += 1;
+    }
 }
