@@ -111,10 +111,6 @@ pub struct Multiplier<T> {
 /// Delta/4 is taken as (Tr/2 - loss)(Tr/2 + loss): Tr² - 4 Det loses half of the digits where it is near 0. So the
 /// multipliers are accurate to a few roundings of the trace and the loss factor, times their condition, for any trace.
 pub fn multipliers<T: Analytic>(trace: &T, loss_factor: &T, kind: OrbitKind) -> [Multiplier<T>; 2] {
-    if loss_factor.is_zero() {
-        // a plastic impact: what was before is forgotten
-        return [trace.clone(), T::zero()].map(|re| Multiplier { re, im: T::zero() });
-    }
     let half = trace.clone() * T::from_ratio(1, 2);
     let apart = (half.clone() - loss_factor.clone()) * (half.clone() + loss_factor.clone());
     if kind == OrbitKind::Focus {

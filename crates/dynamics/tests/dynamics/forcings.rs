@@ -468,6 +468,7 @@ fn at_a_period_doubling_the_doubled_word_is_followed() {
         sines: vec![0.2, 0.3],
         ..motion.clone()
     };
+    let mut count = 0;
     for device in [motion, harmonics] {
         let family = device.motion();
         for (text, range) in [("BT", [0.15, 0.5]), ("BTT", [0.15, 0.5])] {
