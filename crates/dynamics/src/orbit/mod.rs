@@ -44,6 +44,7 @@ pub use clearance::OrbitFlight;
 pub use curves::follow::CurvePoint;
 pub use curves::one_one_curves::OneOneCurves;
 pub use curves::special_points::SpecialPoint;
+pub use curves::word_curves::WordCurves;
 pub use equations::conditions::{BifurcationCondition, BifurcationKind};
 pub use equations::flight::{FlightBoundaryDerivatives, FlightBoundaryValues, LaunchedFlight, OrbitImpact};
 pub use equations::one_one::OneOneEquations;

@@ -13,7 +13,7 @@ use crate::orbit::find::{FoundOrbits, settled};
 use crate::orbit::options::OrbitOptions;
 use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::parallel::each;
-use crate::orbit::solve::starts::{brought_near, listed_from, solve_word};
+use crate::orbit::solve::starts::{brought_near, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
 use nalgebra::DMatrix;
@@ -99,32 +99,22 @@ impl<F: Family + Sync> WordBranches<F> {
     /// ends in, or goes through, the bifurcation. `None` at any other bifurcation, where the doubled word would have more
     /// than [`Word::LONGEST`] impacts, and where Newton's method finds no such branch.
     pub fn switched(family: F, point: &BifurcationPoint, range: Interval<f64>, options: &OrbitOptions) -> Option<Self> {
-        let turns = TAU * f64::from(point.periods);
-        // phases that increase along the word, from the times
-        let later = point.times.iter().scan(*point.phases.first()?, |phase, time| {
-            let here = *phase;
-            *phase += PI * time;
-            Some(here)
-        });
-        let mut phases: Vec<f64> = later.collect();
-        let repeats = point.word.half().is_some() && point.trace > 0.0;
+        let (listed, mut phases) = point.listed()?;
+        let repeats = listed.half().is_some() && point.trace > 0.0;
         let (word, periods) = match point.kind {
             // listed already as the doubled motion that ends there
-            BifurcationKind::PeriodDoubling if repeats => (point.word.clone(), point.periods),
+            BifurcationKind::PeriodDoubling if repeats => (listed, point.periods),
             BifurcationKind::PeriodDoubling => {
-                let again: Vec<f64> = phases.iter().map(|phase| phase + turns).collect();
-                phases.extend(again);
-                (point.word.twice()?, 2 * point.periods)
+                let turns = TAU * f64::from(point.periods);
+                phases.extend(phases.clone().iter().map(|phase| phase + turns));
+                (listed.twice()?, 2 * point.periods)
             }
-            BifurcationKind::SymmetryBreaking => (point.word.clone(), point.periods),
+            BifurcationKind::SymmetryBreaking => (listed, point.periods),
             _ => return None,
         };
-        let spelled = word.spelled();
-        let first = (0..word.impacts()).find(|first| word.rotated(*first) == spelled)?;
-        let mut phases = listed_from(&phases, first, periods);
         let extended = ExtendedSystem {
             family,
-            word: spelled,
+            word,
             periods,
             range,
             options: *options,

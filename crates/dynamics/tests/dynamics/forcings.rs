@@ -4,8 +4,8 @@
 use dynamics::impact::{Start, Widening};
 use dynamics::model::{Forcing, Motion, MotionError, Side};
 use dynamics::orbit::{
-    BifurcationKind, BifurcationPoint, Cover, CoverError, Family, OneOneBranches, OrbitOptions, RoundedOrbit,
-    SteadyState, Word, WordBranches, find, is_covered, isolate_one_one,
+    BifurcationKind, BifurcationPoint, Cover, CoverError, Family, OneOneBranches, OrbitOptions, ParameterPlane,
+    RoundedOrbit, SpecialPoint, SteadyState, Word, WordBranches, WordCurves, find, is_covered, isolate_one_one,
 };
 use numbers::{Analytic, Interval, Sequence, Wide};
 use std::f64::consts::{PI, TAU};
@@ -149,26 +149,33 @@ impl Device {
 
     /// The least distance from a wall at the extrema of 4000 samples of each flight; infinite where there is none.
     fn sampled_clearance(&self, orbit: &RoundedOrbit) -> f64 {
+        let distances = self.turning_distances(&orbit.word, [&orbit.phases, &orbit.velocities, &orbit.times]);
+        distances.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// How near the extrema of the flights come to a wall, from either side of it.
+    fn nearest_touch(&self, event: &BifurcationPoint) -> f64 {
+        let distances = self.turning_distances(&event.word, [&event.phases, &event.velocities, &event.times]);
+        distances.into_iter().map(f64::abs).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The distances from each wall at the extrema of 4000 samples of each flight.
+    fn turning_distances(&self, word: &Word, [phases, velocities, times]: [&Vec<f64>; 3]) -> Vec<f64> {
         let has_top = self.parameters[1] > 0.0;
-        let mut least = f64::INFINITY;
-        for ((side, phase), (velocity, time)) in orbit
-            .word
-            .sides()
-            .zip(&orbit.phases)
-            .zip(orbit.velocities.iter().zip(&orbit.times))
-        {
+        let mut distances = Vec::new();
+        for ((side, phase), (velocity, time)) in word.sides().zip(phases).zip(velocities.iter().zip(times)) {
             let (start, launch) = (phase / PI, -self.restitution(side).to_f64() * velocity);
             let at = |step: usize| time * step as f64 / 4000.0;
             let states: Vec<[f64; 2]> = (0..=4000).map(|step| self.moved(&start, &launch, &at(step))).collect();
             for pair in states.windows(2).filter(|pair| pair[0][1] * pair[1][1] < 0.0) {
                 let inwards = -side.sign() * 0.5 * (pair[0][0] + pair[1][0]);
-                least = least.min(inwards);
+                distances.push(inwards);
                 if has_top {
-                    least = least.min(self.parameters[1] - inwards);
+                    distances.push(self.parameters[1] - inwards);
                 }
             }
         }
-        least
+        distances
     }
 
     /// Holds an orbit against the return map: that it closes, its impacts, trace, determinant, stability and clearance.
@@ -584,4 +591,205 @@ fn simulated_cycles_of_seven_to_twelve_impacts_are_among_the_motions_of_their_wo
         assert!(all.orbits.iter().any(is_it), "{orbit:?}");
         found += 1;
     }
+}
+
+/// Balls on a shaken table over gravity and restitution.
+#[derive(Clone, Copy)]
+struct TablePlane {
+    ranges: [[f64; 2]; 2],
+}
+
+/// Balls on a table of one gravity, along the restitution, or of one restitution, along gravity.
+#[derive(Clone, Copy)]
+enum TableLine {
+    Gravity(f64),
+    Restitution(f64),
+}
+
+impl Family for TableLine {
+    fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
+        match self {
+            Self::Gravity(g) => Motion::one_wall(T::from_f64(*g), parameter.clone()),
+            Self::Restitution(r) => Motion::one_wall(parameter.clone(), T::from_f64(*r)),
+        }
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+impl ParameterPlane for TablePlane {
+    type Line = TableLine;
+
+    fn motion_at<T: Analytic>(&self, [g, r]: [&T; 2]) -> Result<Motion<T>, MotionError> {
+        Motion::one_wall(g.clone(), r.clone())
+    }
+
+    fn ranges(&self) -> [Interval<f64>; 2] {
+        self.ranges.map(|[low, high]| Interval::new(low, high))
+    }
+
+    fn line(&self, fixed: usize, index: u32, count: u32) -> (TableLine, f64) {
+        let [low, high] = self.ranges[fixed];
+        let value = low + (high - low) * f64::from(index) / f64::from(count);
+        (
+            if fixed == 0 {
+                TableLine::Gravity(value)
+            } else {
+                TableLine::Restitution(value)
+            },
+            value,
+        )
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+#[test]
+fn the_curves_of_a_ball_on_a_table_are_those_of_the_closed_forms() {
+    let plane = TablePlane {
+        ranges: [[0.2, 2.5], [0.1, 0.9]],
+    };
+    let mut kinds = std::collections::BTreeMap::new();
+    for n in [1, 2] {
+        for curve in WordCurves::new(plane, &word("B"), n, 2, &OrbitOptions::DEFAULT).expect("curves") {
+            assert!(curve.len() > 10, "{}", curve.len());
+            for (index, point) in curve.iter().enumerate() {
+                let (g, r, n) = (point.motion.parameter, point.y, f64::from(n));
+                let level = match point.motion.kind {
+                    BifurcationKind::PeriodDoubling => doubling_of_tables(r, n),
+                    BifurcationKind::Fold => (1.0 + r) / (PI * n * (1.0 - r)),
+                    _ => continue,
+                };
+                assert!((g / level - 1.0).abs() < 1e-12, "{point:?} {level}");
+                assert!(point.motion.error_bound.is_some_and(|bound| bound < 1e-12), "{point:?}");
+                assert_eq!(
+                    point.is_joined,
+                    (index > 0).then_some(true),
+                    "{index} of {}",
+                    curve.len()
+                );
+            }
+            let ends = [curve.first(), curve.last()].map(|end| end.expect("a point").special);
+            assert_eq!(ends, [SpecialPoint::Edge; 2]);
+            *kinds.entry(curve[0].motion.kind).or_insert(0) += 1;
+        }
+    }
+    assert_eq!(kinds.get(&BifurcationKind::PeriodDoubling), Some(&2), "{kinds:?}");
+    assert_eq!(kinds.get(&BifurcationKind::Fold), Some(&2), "{kinds:?}");
+}
+
+/// A device over d and r_B.
+#[derive(Clone)]
+struct DevicePlane {
+    device: Device,
+    ranges: [[f64; 2]; 2],
+}
+
+/// A device along d, or along r_B.
+#[derive(Clone)]
+struct DeviceLine {
+    plane: DevicePlane,
+    fixed: usize,
+    value: f64,
+}
+
+impl DevicePlane {
+    fn device_at(&self, [d, r_b]: [f64; 2]) -> Device {
+        let [g, _, _, r_t] = self.device.parameters;
+        Device {
+            parameters: [g, d, r_b, r_t],
+            ..self.device.clone()
+        }
+    }
+}
+
+impl Family for DeviceLine {
+    fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
+        let value = T::from_f64(self.value);
+        let parameters = if self.fixed == 0 {
+            [&value, parameter]
+        } else {
+            [parameter, &value]
+        };
+        ParameterPlane::motion_at(&self.plane, parameters)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+impl ParameterPlane for DevicePlane {
+    type Line = DeviceLine;
+
+    fn motion_at<T: Analytic>(&self, [d, r_b]: [&T; 2]) -> Result<Motion<T>, MotionError> {
+        let [g, _, _, r_t] = self.device.parameters.map(T::from_f64);
+        let motion = Motion::new(g, d.clone(), r_b.clone(), r_t)?;
+        motion.with_forcing(self.device.motion().forcing().convert(|value| T::from_f64(*value)))
+    }
+
+    fn ranges(&self) -> [Interval<f64>; 2] {
+        self.ranges.map(|[low, high]| Interval::new(low, high))
+    }
+
+    fn line(&self, fixed: usize, index: u32, count: u32) -> (DeviceLine, f64) {
+        let [low, high] = self.ranges[fixed];
+        let value = low + (high - low) * f64::from(index) / f64::from(count);
+        (
+            DeviceLine {
+                plane: self.clone(),
+                fixed,
+                value,
+            },
+            value,
+        )
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+#[test]
+fn every_point_of_a_curve_of_a_word_is_a_bifurcation_of_the_return_map() {
+    let device = Device {
+        sines: vec![0.1, 0.2],
+        ..Device::plain([0.12201, 0.3, 0.6, 0.3])
+    };
+    let plane = DevicePlane {
+        device,
+        ranges: [[0.15, 0.4], [0.4, 0.7]],
+    };
+    let mut kinds = std::collections::BTreeMap::new();
+    let options = OrbitOptions {
+        branch_values: 5,
+        ..OrbitOptions::DEFAULT
+    };
+    for text in ["BT", "BTT"] {
+        for curve in WordCurves::new(plane.clone(), &word(text), 1, 1, &options).expect("curves") {
+            for (index, point) in curve.iter().enumerate() {
+                let at = plane.device_at([point.motion.parameter, point.y]);
+                if index % 8 == 0 {
+                    let off = excess(&at, &point.motion);
+                    assert!(off.abs() < 1e-9, "{off:e} {point:?}");
+                }
+                let is_slow = point.motion.velocities.contains(&0.0);
+                if point.motion.kind == BifurcationKind::Grazing && !is_slow && index % 8 == 0 {
+                    assert!(at.nearest_touch(&point.motion) < 1e-6, "{point:?}");
+                }
+                *kinds
+                    .entry((point.motion.kind, point.motion.error_bound.is_some()))
+                    .or_insert(0) += 1;
+            }
+        }
+    }
+    let proved = |kind| kinds.get(&(kind, true)).copied().unwrap_or(0);
+    assert!(
+        proved(BifurcationKind::PeriodDoubling) > 20 && proved(BifurcationKind::Grazing) > 20,
+        "{kinds:?}"
+    );
 }

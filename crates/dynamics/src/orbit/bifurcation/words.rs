@@ -8,6 +8,7 @@ use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind,
 use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
 use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact};
 use crate::orbit::equations::square_system::SquareSystem;
+use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::Family;
 use crate::orbit::inconclusive::{Inconclusive, Property};
 use crate::orbit::interval_box::IntervalBox;
@@ -62,23 +63,34 @@ fn padded<const D: usize>(point: &[f64]) -> [f64; D] {
     std::array::from_fn(|i| point.get(i).copied().unwrap_or(0.0))
 }
 
+/// The left sides of the equations of a word and of a condition, a touch a time `after` into its flight.
+pub(crate) fn conditioned<T: Analytic>(
+    system: &WordEquations<T>,
+    condition: BifurcationCondition,
+    phases: &[T],
+    after: &T,
+) -> Option<Vec<T>> {
+    let mut values = system.residuals(phases);
+    let impacts = system.orbit_impacts(phases);
+    let sides: Vec<Side> = system.word.sides().collect();
+    match condition {
+        BifurcationCondition::ZeroVelocity(impact) => values.push(impacts.get(impact)?.velocity.clone()),
+        BifurcationCondition::Touch(flight, wall) => {
+            let path = LaunchedFlight::after(&system.motion, *sides.get(flight)?, impacts.get(flight)?);
+            values.extend(touch_excess(&path, wall, after));
+        }
+        condition => values.push(condition.multiplier_excess(&flight_jacobians(&sides, &system.motion, &impacts))),
+    }
+    Some(values)
+}
+
 impl<F: Family> ConditionedWord<'_, F> {
     /// As many equations for every word, so that the proofs are compiled for few numbers of unknowns: those that a word
     /// does not have are 0, by equations of their own. `None` where the parameter can have no such value.
     fn equations<T: Analytic, const D: usize>(&self, at: &[T; D]) -> Option<[T; D]> {
         let count = self.extended.impacts();
         let system = self.extended.at(&at[count])?;
-        let mut values = system.residuals(&at[..count]);
-        let impacts = system.orbit_impacts(&at[..count]);
-        let sides: Vec<Side> = system.word.sides().collect();
-        match self.condition {
-            BifurcationCondition::ZeroVelocity(impact) => values.push(impacts[impact].velocity.clone()),
-            BifurcationCondition::Touch(flight, wall) => {
-                let path = LaunchedFlight::after(&system.motion, sides[flight], &impacts[flight]);
-                values.extend(touch_excess(&path, wall, &at[count + 1]));
-            }
-            condition => values.push(condition.multiplier_excess(&flight_jacobians(&sides, &system.motion, &impacts))),
-        }
+        let mut values = conditioned(&system, self.condition, &at[..count], &at[(count + 1).min(D - 1)])?;
         let own = values.len();
         values.extend(at[own..].iter().cloned());
         values.try_into().ok()
@@ -100,19 +112,24 @@ impl<F: Family> ConditionedWord<'_, F> {
 
     /// The bifurcation at a point, proved where that can be.
     pub fn located(&self, point: &[f64]) -> Option<BifurcationPoint> {
+        self.enclosed_at(point).map(|(found, _)| found)
+    }
+
+    /// The same, with the box of all unknowns in which it is proved to be, if it is.
+    pub fn enclosed_at(&self, point: &[f64]) -> Option<(BifurcationPoint, Option<Vec<Interval<f64>>>)> {
         let proved = if point.len() <= FEW {
             self.proved_among::<FEW>(point)
         } else {
             self.proved_among::<UNKNOWNS>(point)
         };
-        proved.or_else(|| {
+        proved.map(|(found, cell)| (found, Some(cell))).or_else(|| {
             let cell: Vec<Interval<DoubleDouble>> = point.iter().map(|side| Interval::from_f64(*side)).collect();
-            self.row(&cell, false)
+            Some((self.row(&cell, false)?, None))
         })
     }
 
     /// Proved in f64, then located as well as double-double can.
-    fn proved_among<const D: usize>(&self, point: &[f64]) -> Option<BifurcationPoint> {
+    fn proved_among<const D: usize>(&self, point: &[f64]) -> Option<(BifurcationPoint, Vec<Interval<f64>>)> {
         let unknowns = point.len();
         let point = padded::<D>(point);
         let place = self.extended.impacts();
@@ -124,7 +141,7 @@ impl<F: Family> ConditionedWord<'_, F> {
             prove(self, &point, &half_widths)
         })?;
         let cell = prove_over::<f64, DoubleDouble, D>(self, &root)?;
-        self.row(&cell[..unknowns], true)
+        Some((self.row(&cell[..unknowns], true)?, root.enclosure[..unknowns].to_vec()))
     }
 
     fn row<E: Endpoint>(&self, cell: &[Interval<E>], certified: bool) -> Option<BifurcationPoint> {
