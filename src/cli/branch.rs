@@ -7,7 +7,7 @@ use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
     BifurcationPoint, Family, FoundOrbits, OneOneBranches, OpenBifurcation, OpenOrbit, Output, OutputPrecision,
-    RoundedOrbit, Word, WordBranches, confirm_bifurcation,
+    RoundedOrbit, Word, WordBranches, confirm_bifurcation, is_covered,
 };
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
@@ -22,6 +22,9 @@ pub struct Arguments {
     #[command(flatten)]
     complete: Complete,
 }
+
+/// Events that are no farther apart, in ranges of the parameter, are one.
+const SAME: f64 = 1e-9;
 
 /// The values that are computed together.
 const BLOCK: u32 = 1024;
@@ -56,9 +59,14 @@ where
         }
     }
     let columns = columns(&sweep).into_iter().map(Column::from).collect();
+    let switches = scene.switches()?;
+    let known = kinds.clone();
     let rows = kinds.into_iter().flat_map(move |(word, periods)| -> Made {
         match BranchRows::new(&wanted, &setting, &sweep, word, periods) {
-            Ok(rows) => Box::new(rows),
+            Ok(rows) => {
+                let parting = rows.parting(switches, &known);
+                Box::new(rows.chain(parting))
+            }
             Err(failure) => Box::new(std::iter::once(Err(failure))),
         }
     });
@@ -86,10 +94,27 @@ struct BranchRows<W> {
 
 /// Where motions at a value are looked for.
 enum Motions {
-    /// The 1-1 motions: all of them.
+    /// Those of which all are found.
     Pairs(OneOneBranches<Setting>),
-    /// Those of any other word: the branches that a search leads to.
+    /// Any others: the branches that a search leads to, or that part from another one.
     Others(WordBranches<Setting>),
+}
+
+impl Motions {
+    /// Whether the motions that were followed are among these.
+    fn has(&self, followed: &WordBranches<Setting>) -> bool {
+        match self {
+            Self::Pairs(_) => followed.word().0 == Word::pair(),
+            Self::Others(own) => own.has(followed),
+        }
+    }
+
+    fn bifurcations(&self) -> Vec<BifurcationPoint> {
+        match self {
+            Self::Pairs(prepared) => prepared.bifurcations().0,
+            Self::Others(followed) => followed.bifurcations(),
+        }
+    }
 }
 
 impl<W: Output + Clone> BranchRows<W>
@@ -98,7 +123,8 @@ where
 {
     fn new(wanted: &W, setting: &Setting, sweep: &Sweep, word: Word, periods: u32) -> Result<Self, Failure> {
         let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
-        let (motions, mut events) = if word == Word::pair() {
+        let middle = setting.motion_at(&Interval::point(nearest(sweep).midpoint()))?;
+        let (motions, events) = if is_covered(&middle, &word) {
             let prepared = OneOneBranches::new(setting.clone(), periods, from.hull(&to), wanted.options())?;
             let events = events_of_pairs(&prepared, wanted, sweep.over, periods);
             (Motions::Pairs(prepared), events)
@@ -108,9 +134,19 @@ where
             let events = events_of_others(&followed, wanted, sweep.over, &word, periods);
             (Motions::Others(followed), events)
         };
+        Ok(Self::of(wanted, setting, sweep, (word, periods), (motions, events)))
+    }
+
+    fn of(
+        wanted: &W,
+        setting: &Setting,
+        sweep: &Sweep,
+        (word, periods): (Word, u32),
+        (motions, mut events): (Motions, Events),
+    ) -> Self {
         let sign = direction(sweep);
         events.sort_by(|(one, _), (other, _)| (sign * one).total_cmp(&(sign * other)));
-        Ok(Self {
+        Self {
             wanted: wanted.clone(),
             setting: setting.clone(),
             sweep: sweep.clone(),
@@ -121,7 +157,47 @@ where
             next: 0,
             ready: VecDeque::new(),
             is_empty: true,
-        })
+        }
+    }
+
+    /// The rows of the branches that part from these, and so many times on from those. Words and periods that are
+    /// `known` are followed by themselves.
+    fn parting(&self, switches: u32, known: &[(Word, u32)]) -> Vec<Result<Vec<Cell>, Failure>> {
+        let mut rows = Vec::new();
+        if switches == 0 {
+            return rows;
+        }
+        let range = nearest(&self.sweep);
+        // where a branch that has been followed parts: it may leave and come back
+        let mut left: Vec<f64> = Vec::new();
+        for event in self.motions.bifurcations() {
+            let is_here = |at: &f64| (at - event.parameter).abs() < SAME * range.width();
+            if left.iter().any(is_here) {
+                continue;
+            }
+            let options = self.wanted.options();
+            let Some(followed) = WordBranches::switched(self.setting.clone(), &event, range, options) else {
+                continue;
+            };
+            let (word, periods) = followed.word();
+            if known.contains(&(word.clone(), periods)) || self.motions.has(&followed) {
+                continue;
+            }
+            left.extend(followed.bifurcations().iter().map(|event| event.parameter));
+            let events = events_of_others(&followed, &self.wanted, self.sweep.over, &word, periods);
+            let motions = Motions::Others(followed);
+            let parts = Self::of(
+                &self.wanted,
+                &self.setting,
+                &self.sweep,
+                (word, periods),
+                (motions, events),
+            );
+            let further = parts.parting(switches - 1, known);
+            rows.extend(parts);
+            rows.extend(further);
+        }
+        rows
     }
 
     /// The rows of the next block of values, and of the events on the way there.
@@ -151,7 +227,7 @@ where
         }
         if self.next == self.sweep.points {
             self.ready.extend(self.events.drain(..).map(|(_, row)| row));
-            if self.is_empty && self.ready.is_empty() && self.word != Word::pair() {
+            if self.is_empty && self.ready.is_empty() && matches!(self.motions, Motions::Others(_)) {
                 // nothing was found, which proves nothing
                 self.ready.push_back(undecided(over, &self.word, self.periods, &[]));
             }

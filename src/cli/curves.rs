@@ -4,7 +4,9 @@ use super::complete::incomplete;
 use super::rows::Rows;
 use super::{Asked, Failure, Options, note};
 use crate::number::Interval;
-use crate::orbit::{BifurcationKind, CurvePoint, OneOneCurves, OrbitOptions, Output, Word};
+use crate::orbit::{
+    BifurcationKind, CurvePoint, OneOneCurves, OrbitOptions, Output, ParameterPlane, Word, WordCurves, is_covered,
+};
 use crate::report::{Cell, Column};
 use crate::scene::{Over, Plane, Scene};
 
@@ -60,7 +62,15 @@ pub(super) fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
     );
     columns.extend(MORE);
     let count = columns.len();
-    let groups = (1..=scene.max_periods()?).flat_map(move |periods| groups(&plane, periods, &searched));
+    let mut kinds = Vec::new();
+    for word in scene.words()? {
+        for periods in 1..=scene.max_periods()? {
+            kinds.push((word.clone(), periods));
+        }
+    }
+    let groups = kinds
+        .into_iter()
+        .flat_map(move |(word, periods)| groups(&plane, &word, periods, &searched));
     let mut number = 0;
     let rows = groups.flat_map(move |group| -> Vec<Result<Vec<Cell>, Failure>> {
         match group {
@@ -82,7 +92,27 @@ pub(super) fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
 }
 
 /// What is open of motions of so many periods, then each curve of them.
-fn groups(plane: &Plane, periods: u32, options: &OrbitOptions) -> Box<dyn Iterator<Item = Result<Group, Failure>>> {
+fn groups(
+    plane: &Plane,
+    word: &Word,
+    periods: u32,
+    options: &OrbitOptions,
+) -> Box<dyn Iterator<Item = Result<Group, Failure>>> {
+    let middle = plane.ranges().map(|range| Interval::point(range.midpoint()));
+    let is_of_pairs = match plane.motion_at(middle.each_ref()) {
+        Ok(motion) => is_covered(&motion, word),
+        Err(failure) => return Box::new(std::iter::once(Err(failure.into()))),
+    };
+    if !is_of_pairs {
+        note(&format!(
+            "{word} over {periods} forcing periods: curves from bifurcations on branches that many starts lead to; there \
+             may be more"
+        ));
+        return match WordCurves::new(plane.clone(), word, periods, plane.lines, options) {
+            Ok(curves) => Box::new(curves.map(Group::Curve).map(Ok)),
+            Err(failure) => Box::new(std::iter::once(Err(failure.into()))),
+        };
+    }
     let curves = match OneOneCurves::new(plane.clone(), periods, plane.lines, options) {
         Ok(curves) => curves,
         Err(failure) => return Box::new(std::iter::once(Err(failure.into()))),

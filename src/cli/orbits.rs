@@ -2,10 +2,10 @@
 
 use super::complete::{Complete, incomplete};
 use super::{Answer, Asked, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::number::{Decimals, Interval, Rung};
+use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
     FoundOrbits, Isolation, OneOneSearch, Output, OutputPrecision, Parameters, RoundedOrbit, Word, confirm_orbit,
-    find_as, isolate_one_one,
+    find_as, is_covered, isolate_one_one,
 };
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
@@ -120,14 +120,14 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
 }
 
 /// What a reader of the rows alone would miss.
-fn tell<N>(word: &Word, found: &FoundOrbits<N>) {
+fn tell<N: Told>(word: &Word, found: &FoundOrbits<N>) {
     for open in &found.open {
         note(&open.to_string());
     }
     if found.orbits.is_empty() && found.open.is_empty() {
         note(&format!("no motion {word}"));
     }
-    if *word != Word::pair() {
+    if !found.is_covered() {
         note(&format!("{word}: motions that many starts lead to; there may be more"));
     }
     let unbounded = found.orbits.iter().filter(|orbit| orbit.error_bound.is_none()).count();
@@ -192,7 +192,7 @@ fn explain(scene: &Scene) -> Result<String, Failure> {
     let motion = scene.setting()?.motion::<Interval<f64>>()?;
     let mut lines = Vec::new();
     for word in scene.words()? {
-        if word != Word::pair() {
+        if !is_covered(&motion, &word) {
             lines.push(format!(
                 "{word}: Newton's method from many starts, each motion proved by itself; no list of pieces\n"
             ));

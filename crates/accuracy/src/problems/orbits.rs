@@ -55,13 +55,7 @@ pub fn in_f64(problem: &Problem, means: Means) -> Result<RoundedOrbit, Why> {
         Means::Default => nearest(problem, find(&given, &word, periods)?),
         Means::Double => {
             let all = narrow(&given, &word, periods)?;
-            nearest(
-                problem,
-                FoundOrbits {
-                    orbits: all,
-                    open: Vec::new(),
-                },
-            )
+            nearest(problem, FoundOrbits::from_orbits(all))
         }
     }
 }

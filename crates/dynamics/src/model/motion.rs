@@ -73,6 +73,9 @@ pub enum MotionError {
         /// What was given.
         found: f64,
     },
+    /// There is no wall at the top.
+    #[error("there is one wall, the bottom: no impact at the top and no gap")]
+    NoTop,
     /// A restitution is outside [0, 1].
     #[error("{name} is {found}, must be from 0 to 1")]
     Restitution {
@@ -180,6 +183,11 @@ impl<T: Analytic> Motion<T> {
             Some(forcing) => forcing.at(&(phase.clone() / T::pi())).f,
         };
         f + self.g.clone()
+    }
+
+    /// The same, shared.
+    pub(crate) fn shared_forcing(&self) -> Option<Arc<Forcing<T>>> {
+        self.forcing.clone()
     }
 
     /// Whether there is a wall at the top.

@@ -1,19 +1,29 @@
 //! How far a flight keeps off the walls where it turns.
 
-use crate::orbit::equations::flight::HarmonicFlight;
+use crate::orbit::equations::flight::LaunchedFlight;
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use numbers::{Analytic, Endpoint, Field, Interval};
-use std::f64::consts::PI;
 
 /// A flight between two impacts whose start and duration are enclosed. Its launch velocity is decided to lead off its wall,
 /// and the velocity with which it ends to lead to a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrbitFlight<E: Endpoint> {
     /// The flight, as long as one looks.
-    pub flight: HarmonicFlight<Interval<E>>,
+    pub flight: LaunchedFlight<Interval<E>>,
     /// Until the next impact.
     pub time: Interval<E>,
 }
+
+/// The times that part a flight into pieces.
+pub(crate) struct Pieces<E> {
+    /// In order, without the start and the end.
+    pub times: Vec<E>,
+    /// False where a piece as small as pieces get could not be decided.
+    pub are_decided: bool,
+}
+
+/// Pieces of this part of a flight are not halved.
+const FINEST_PIECE: f64 = 1e-9;
 
 /// More halvings than any number of use has bits.
 const MOST_STEPS: usize = 400;
@@ -32,15 +42,27 @@ impl<E: Endpoint> OrbitFlight<E> {
     /// `None` where the flight does not turn.
     ///
     /// Between two changes of sign of f + g the velocity is monotone and the flight turns there once or not at all,
-    /// as the signs at the ends say. Where f + g changes sign is explicit: cos(phase) = -g.
+    /// as the signs at the ends say. Where f + g changes sign is explicit for one cosine: cos(phase) = -g. Under any
+    /// other forcing the flight is halved until on each piece the velocity is monotone or not 0.
     ///
     /// # Errors
     /// `Undecided`, where the flight comes near to turning without doing so, or g near to 1 in size.
     pub fn clearance(&self) -> Result<Option<Interval<E>>, Inconclusive> {
-        let mut nodes = vec![(Interval::from_integer(0), sign(&self.flight.launch)?)];
-        for change in self.changes()? {
-            if let Some(rising) = self.sign_at(&change)? {
-                nodes.push((change, rising));
+        let mut nodes = vec![(Interval::from_integer(0), self.sign_at_start()?)];
+        if self.flight.other_forcing().is_none() {
+            for change in self.changes()? {
+                if let Some(rising) = self.sign_at(&change)? {
+                    nodes.push((change, rising));
+                }
+            }
+        } else {
+            let pieces = self.pieces();
+            if !pieces.are_decided {
+                return undecided(Property::Turning);
+            }
+            for time in pieces.times.into_iter().map(Interval::point) {
+                let rising = sign(&self.flight.velocity(&time))?;
+                nodes.push((time, rising));
             }
         }
         nodes.push((self.time.clone(), sign(&self.flight.velocity(&self.time))?));
@@ -53,6 +75,57 @@ impl<E: Endpoint> OrbitFlight<E> {
             }
         }
         Ok(clearance)
+    }
+
+    /// The sign of the velocity just after the start: after a plastic impact, where it is 0, that of f + g.
+    fn sign_at_start(&self) -> Result<bool, Inconclusive> {
+        if self.flight.launch.magnitude() == E::zero() {
+            return sign(&self.flight.acceleration(&Interval::from_integer(0)));
+        }
+        sign(&self.flight.launch)
+    }
+
+    /// The flight in pieces on each of which the velocity is monotone or not 0.
+    pub(crate) fn pieces(&self) -> Pieces<E> {
+        let mut pieces = Pieces {
+            times: Vec::new(),
+            are_decided: true,
+        };
+        let finest = self.time.to_f64() * FINEST_PIECE;
+        let mut left = vec![(E::zero(), self.time.high())];
+        while let Some((low, high)) = left.pop() {
+            let piece = Interval::new(low.clone(), high.clone());
+            let is_simple = self.is_simple(&piece);
+            if !is_simple && piece.width().to_f64() > finest {
+                let middle = self.parting(&piece);
+                left.extend([(middle.clone(), high), (low, middle)]);
+                continue;
+            }
+            pieces.are_decided &= is_simple;
+            if !left.is_empty() {
+                pieces.times.push(high);
+            }
+        }
+        pieces
+    }
+
+    /// Returns true if the velocity is not 0 over a piece of the flight, or monotone: from its values, and from the mean
+    /// value theorem.
+    fn is_simple(&self, piece: &Interval<E>) -> bool {
+        let slope = self.flight.acceleration(piece);
+        let middle = Interval::point(piece.midpoint());
+        let velocity = || self.flight.velocity(&middle) + slope.clone() * (piece.clone() - middle.clone());
+        !slope.contains_zero() || !velocity().contains_zero()
+    }
+
+    /// A time near the middle of a piece, if there is one at which the velocity has a sign.
+    fn parting(&self, piece: &Interval<E>) -> E {
+        let at = |part: i64| {
+            let ahead = (Interval::point(piece.high()) - Interval::point(piece.low())) * Interval::from_ratio(part, 16);
+            (Interval::point(piece.low()) + ahead).midpoint()
+        };
+        let has_sign = |time: &E| !self.flight.velocity(&Interval::point(time.clone())).contains_zero();
+        [8, 7, 9].into_iter().map(at).find(has_sign).unwrap_or_else(|| at(8))
     }
 
     /// The times at which f + g changes sign, in order; all that may lie inside the flight, and some outside.
@@ -88,13 +161,11 @@ impl<E: Endpoint> OrbitFlight<E> {
 
     /// Where bisection in f64, at the middle of all intervals, puts the turning point.
     fn proposal(&self, within: &Interval<E>, rising: bool) -> f64 {
-        let [phase, launch, g] = [&self.flight.phase, &self.flight.launch, &self.flight.g].map(Analytic::to_f64);
-        let start = phase.sin();
+        let flight = self.flight.convert(Analytic::to_f64);
         let (mut low, mut high) = (within.low().to_f64(), within.high().to_f64());
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            let velocity = launch + g * middle + ((phase + PI * middle).sin() - start) / PI;
-            if (velocity > 0.0) == rising {
+            if (flight.velocity(&middle) > 0.0) == rising {
                 high = middle;
             } else {
                 low = middle;
@@ -169,13 +240,16 @@ impl<E: Endpoint> OrbitFlight<E> {
         };
     }
 
-    /// The distance from the nearer wall at the turning point within `turn`, by the mean value theorem: the
+    /// The distance from the nearer wall, or the only one, at the turning point within `turn`, by the mean value theorem: the
     /// position changes little where the velocity is 0.
     fn distance(&self, turn: &Interval<E>) -> Interval<E> {
         let middle = Interval::point(turn.midpoint());
         let moved = self.flight.velocity(turn) * (turn.clone() - middle.clone());
         let position = self.flight.position(&middle) + moved;
         let half = self.flight.d.clone() * Interval::from_ratio(1, 2);
+        if !self.flight.has_top() {
+            return half - position;
+        }
         smaller(half.clone() - position.clone(), half + position)
     }
 }
@@ -205,13 +279,15 @@ fn sign<E: Endpoint>(velocity: &Interval<E>) -> Result<bool, Inconclusive> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Side;
+    use crate::model::{Forcing, Motion, Side};
+    use crate::orbit::equations::flight::OrbitImpact;
     use numbers::Sequence;
+    use std::f64::consts::PI;
 
     fn path(side: Side, [phase, launch, time, g, d]: [f64; 5]) -> OrbitFlight<f64> {
         let [phase, launch, time, g, d] = [phase, launch, time, g, d].map(Interval::point);
         OrbitFlight {
-            flight: HarmonicFlight::new(side, phase, launch, g, d),
+            flight: LaunchedFlight::new(side, phase, launch, g, d),
             time,
         }
     }
@@ -261,6 +337,62 @@ mod tests {
             turning > 20 && beyond > 20 && straight > 20,
             "{turning} {beyond} {straight}"
         );
+    }
+
+    #[test]
+    fn under_harmonics_the_clearance_is_that_of_many_sampled_points() {
+        let mut sequence = Sequence::new(4);
+        let (mut turning, mut straight) = (0, 0);
+        for _ in 0..300 {
+            let amplitudes: [f64; 6] = std::array::from_fn(|n| sequence.between(-1.0, 1.0) / (1 + n / 2) as f64);
+            let [phase, launch, time, g, d] = [(0.0, 6.2), (-1.0, -0.01), (0.1, 6.0), (-1.4, 1.4), (0.05, 2.0)]
+                .map(|(low, high)| sequence.between(low, high));
+            let forcing = Forcing::periodic(2.0, &amplitudes[..2], &amplitudes[2..]).expect("a forcing");
+            let motion = Motion::new(g, d, 1.0, 1.0).expect("a motion");
+            let motion = motion.with_forcing(forcing).expect("of period 2");
+            let impact = OrbitImpact {
+                phase,
+                velocity: -launch,
+                time,
+            };
+            let flight = LaunchedFlight::after(&motion, Side::Bottom, &impact);
+            let found = OrbitFlight {
+                flight: flight.convert(|value| Interval::point(*value)),
+                time: Interval::point(time),
+            };
+            // f, its integral and the integral of that, from the trapezoidal rule of 100,000 steps
+            let steps = 100_000;
+            let step = time / f64::from(steps);
+            let push = |at: f64| {
+                let term = |list: &[f64], wave: fn(f64) -> f64| -> f64 {
+                    let terms = list.iter().zip(1..);
+                    terms
+                        .map(|(part, n)| part * wave(f64::from(n) * (phase + PI * at)))
+                        .sum()
+                };
+                g + term(&amplitudes[..2], f64::cos) + term(&amplitudes[2..], f64::sin)
+            };
+            let (mut velocity, mut inwards, mut expected) = (launch, 0.0, f64::INFINITY);
+            for index in 0..steps {
+                let at = step * f64::from(index);
+                let next = velocity + step * 0.5 * (push(at) + push(at + step));
+                if velocity * next < 0.0 {
+                    expected = f64::min(expected, f64::min(inwards, d - inwards));
+                }
+                inwards -= step * 0.5 * (velocity + next);
+                velocity = next;
+            }
+            match found.clearance().expect("decided") {
+                None => assert_eq!(expected, f64::INFINITY, "{flight:?}"),
+                Some(clearance) => {
+                    assert!(clearance.width() < 1e-12, "{clearance}");
+                    assert!((clearance.to_f64() - expected).abs() < 1e-6, "{clearance} {expected}");
+                }
+            }
+            turning += i32::from(expected.is_finite());
+            straight += i32::from(expected == f64::INFINITY);
+        }
+        assert!(turning > 100 && straight > 20, "{turning} {straight}");
     }
 
     #[test]

@@ -11,7 +11,8 @@ pub trait Family {
     /// A parameter out of its range.
     fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError>;
 
-    /// Whether each motion is its own mirror image: r_B = r_T and g = 0; or, with r_B = r_T = 1, its own reversal.
+    /// Whether each motion is its own mirror image: r_B = r_T and g = 0; or, with r_B = r_T = 1, its own reversal;
+    /// under the forcing cos(pi t).
     /// Then motions with T_1 = T_2 are a branch of their own, and others part from it.
     fn is_symmetric(&self) -> bool;
 
@@ -68,15 +69,22 @@ impl<F: Family, V: Exact> Parameters for Fixed<'_, F, V> {
     }
 }
 
-/// The motions of a base one along its gap d.
+/// The motions of a base one along its gap d, under its forcing. A motion with one wall has no gap.
 impl Family for Motion<f64> {
     fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
+        if !self.has_top() {
+            return Err(MotionError::NoTop);
+        }
         let [r_b, r_t] = [Side::Bottom, Side::Top].map(|side| T::from_f64(*self.restitution(side)));
-        Motion::new(T::from_f64(*self.g()), parameter.clone(), r_b, r_t)
+        let motion = Motion::new(T::from_f64(*self.g()), parameter.clone(), r_b, r_t)?;
+        match self.other_forcing() {
+            None => Ok(motion),
+            Some(forcing) => motion.with_forcing(forcing.convert(|value| T::from_f64(*value))),
+        }
     }
 
     fn is_symmetric(&self) -> bool {
         let [r_b, r_t] = [Side::Bottom, Side::Top].map(|side| *self.restitution(side));
-        r_b == r_t && (*self.g() == 0.0 || r_b == 1.0)
+        self.other_forcing().is_none() && r_b == r_t && (*self.g() == 0.0 || r_b == 1.0)
     }
 }

@@ -1,6 +1,7 @@
 //! Every motion that is asked for, to the last digit of f64, with what could not be decided.
 
-use crate::model::{MotionError, Parameters};
+use crate::model::{Motion, MotionError, Parameters};
+use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::{IntervalBox, joined};
 use crate::orbit::output::{Output, OutputPrecision};
@@ -20,6 +21,8 @@ pub struct FoundOrbits<N = f64> {
     pub orbits: Vec<RoundedOrbit<N>>,
     /// What could not be decided.
     pub open: Vec<OpenOrbit>,
+    /// True where all that is not in `open` was covered by proof.
+    is_covered: bool,
 }
 
 /// Something that no number at hand could decide.
@@ -91,7 +94,8 @@ pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Resu
 /// All motions of `word` over 1 to `max_periods` periods, told as they are wanted: [`Doubles`](numbers::Doubles)
 /// or [`Decimals`](numbers::Decimals).
 ///
-/// For BT every one is found, by proof, unless `open` has a box; for other words those that many starts lead to.
+/// For BT between two walls under the forcing cos(pi t) every one is found, by proof, unless `open` has a box; for other
+/// words and motions those that many starts lead to.
 ///
 /// # Errors
 /// A parameter out of its range.
@@ -102,9 +106,9 @@ pub fn find_as<W: Output>(
     max_periods: u32,
 ) -> Result<FoundOrbits<W::Number>, MotionError> {
     let motion = parameters.motion::<Interval<f64>>()?;
-    let mut found = FoundOrbits::new();
+    let mut found = FoundOrbits::new(is_covered(&motion, word));
     for periods in 1..=max_periods {
-        let settled: Vec<Outcome<W::Number>> = if *word == Word::pair() {
+        let settled: Vec<Outcome<W::Number>> = if found.is_covered {
             let search = isolate_one_one(&motion, periods, wanted.options());
             let undecided = &search.isolation.undecided;
             pairs(wanted, parameters, periods, &search.motions, undecided, &mut found.open)?
@@ -115,6 +119,13 @@ pub fn find_as<W: Output>(
         found.take(word, periods, settled);
     }
     Ok(found)
+}
+
+/// Returns true if all motions of a word are found, by proof: 1-1 motions between two walls under the forcing cos(pi t).
+/// They are followed by [`OneOneBranches`](crate::orbit::OneOneBranches), others by
+/// [`WordBranches`](crate::orbit::WordBranches).
+pub fn is_covered<T: Analytic>(motion: &Motion<T>, word: &Word) -> bool {
+    *word == Word::pair() && OneOneEquations::describes(motion)
 }
 
 /// A motion as it is wanted, or why not, and where it is.
@@ -165,16 +176,33 @@ pub(crate) fn pairs<W: Output>(
 }
 
 impl<N: Told> FoundOrbits<N> {
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(is_covered: bool) -> Self {
         let (orbits, open) = (Vec::new(), Vec::new());
-        Self { orbits, open }
+        Self {
+            orbits,
+            open,
+            is_covered,
+        }
     }
 
-    /// Whether it is proved that there is no other motion of this word over so many periods: of BT alone, where no box is
-    /// left open.
+    /// Whether all that is not open was covered by proof.
+    pub fn is_covered(&self) -> bool {
+        self.is_covered
+    }
+
+    /// Motions found elsewhere; nothing is known of others.
+    pub fn from_orbits(orbits: Vec<RoundedOrbit<N>>) -> Self {
+        Self {
+            orbits,
+            ..Self::new(false)
+        }
+    }
+
+    /// Returns true if it is proved that there is no other motion of this word over so many periods: of a word that
+    /// [`is_covered`], where no box is left open.
     pub fn is_complete(&self, word: &Word, periods: u32) -> bool {
         let is_box = |open: &OpenOrbit| matches!(open, OpenOrbit::Box { .. }) && open.periods() == periods;
-        *word == Word::pair() && !self.open.iter().any(is_box)
+        self.is_covered && *word == Word::pair() && !self.open.iter().any(is_box)
     }
 
     pub(crate) fn take(&mut self, word: &Word, periods: u32, settled: Vec<Outcome<N>>) {
@@ -203,7 +231,6 @@ impl<N: Told> FoundOrbits<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Motion;
     use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::one_one::isolate_one_one;
 

@@ -6,7 +6,8 @@
 //! the files of this folder put these together: [`find`] at one value of the parameters, [`OneOneBranches`] and
 //! [`WordBranches`] over a range. `shooting/` confirms by other equations, `long_run/` looks at simulated motions.
 //!
-//! Every value of an [`Orbit`] is an enclosure. The forcing is the paper's cos(pi t), of phase 0 at t = 0. Uses
+//! Every value of an [`Orbit`] is an enclosure. The forcing is that of the motion; all 1-1 motions are found, by proof,
+//! under the paper's cos(pi t) between two walls alone ([`is_covered`]). Uses
 //! `number/`, `model/` and, for what a simulated motion comes to, `impact/`.
 
 mod bifurcation;
@@ -43,14 +44,15 @@ pub use clearance::OrbitFlight;
 pub use curves::follow::CurvePoint;
 pub use curves::one_one_curves::OneOneCurves;
 pub use curves::special_points::SpecialPoint;
+pub use curves::word_curves::WordCurves;
 pub use equations::conditions::{BifurcationCondition, BifurcationKind};
-pub use equations::flight::{FlightBoundaryDerivatives, FlightBoundaryValues, HarmonicFlight, OrbitImpact};
+pub use equations::flight::{FlightBoundaryDerivatives, FlightBoundaryValues, LaunchedFlight, OrbitImpact};
 pub use equations::one_one::OneOneEquations;
 pub use equations::one_one_bifurcations::{ConditionedOneOne, SymmetricOneOne};
 pub use equations::square_system::Decision;
 pub use equations::words::WordEquations;
 pub use family::{Family, Fixed, ParameterPlane};
-pub use find::{FoundOrbits, OpenOrbit, find, find_as};
+pub use find::{FoundOrbits, OpenOrbit, find, find_as, is_covered};
 pub use inconclusive::{Inconclusive, Property};
 pub use interval_box::IntervalBox;
 pub use long_run::attractor::{Attractor, LONGEST_WRITTEN};

@@ -100,7 +100,7 @@ impl<F: Family + Sync> OneOneBranches<F> {
     /// Covers the curve for parameters in `range`.
     ///
     /// # Errors
-    /// A range in which a parameter of the motion cannot be.
+    /// A range in which a parameter of the motion cannot be; `Uncovered` under another forcing than cos(pi t).
     pub fn new(family: F, periods: u32, range: Interval<f64>, options: &OrbitOptions) -> Result<Self, CoverError> {
         let covers = each(&pieces(range), |piece| Cover::new(&family, periods, *piece, options));
         let covers = covers.into_iter().collect::<Result<_, _>>()?;
@@ -144,7 +144,7 @@ impl<F: Family + Sync> OneOneBranches<F> {
         let periods = self.periods;
         let search = self.at(value)?;
         let fixed = self.family.fixed(value);
-        let mut found = FoundOrbits::new();
+        let mut found = FoundOrbits::new(true);
         let undecided = &search.isolation.undecided;
         let settled = pairs(wanted, &fixed, periods, &search.motions, undecided, &mut found.open)?;
         found.take(&Word::pair(), periods, settled);

@@ -2,7 +2,7 @@
 
 use crate::model::{Motion, Side};
 use crate::orbit::clearance::{OrbitFlight, least};
-use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
+use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact, push};
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use crate::orbit::stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
 use crate::orbit::word::Word;
@@ -167,7 +167,7 @@ pub(crate) fn clearance<E: Endpoint>(
     let mut nearest = None;
     for (side, fix) in sides.iter().zip(fixes) {
         let path = OrbitFlight {
-            flight: HarmonicFlight::after(motion, *side, fix),
+            flight: LaunchedFlight::after(motion, *side, fix),
             time: fix.time.clone(),
         };
         nearest = least(nearest, path.clearance()?);
@@ -182,10 +182,7 @@ pub fn flight_jacobians<T: Analytic>(
     motion: &Motion<T>,
     fixes: &[OrbitImpact<T>],
 ) -> Vec<FlightJacobian<T>> {
-    let pushes: Vec<_> = fixes
-        .iter()
-        .map(|fix| fix.phase.sincos().1 + motion.g().clone())
-        .collect();
+    let pushes: Vec<_> = fixes.iter().map(|fix| push(motion, &fix.phase)).collect();
     let link = |(index, side): (usize, &Side)| {
         let next = (index + 1) % fixes.len();
         FlightJacobian {

@@ -46,14 +46,14 @@ pub enum WordError {
 
 impl Word {
     /// The most impacts a word may have.
-    pub const LONGEST: usize = 6;
+    pub const LONGEST: usize = 12;
 
     /// The 1-1 motion, `BT`.
     pub fn pair() -> Self {
         Self([Letter::B, Letter::T].into_iter().collect())
     }
 
-    /// The number of impacts, from 1 to 6.
+    /// The number of impacts, from 1 to [`Word::LONGEST`].
     pub fn impacts(&self) -> usize {
         self.0.len()
     }
@@ -101,9 +101,9 @@ impl Word {
         (1..self.impacts()).filter(|shift| self.rotated(*shift) == *self)
     }
 
-    /// The word gone through twice, as long as it may be.
-    pub(crate) fn twice(&self) -> Self {
-        Self(self.0.iter().chain(&self.0).copied().collect())
+    /// The word gone through twice; `None` where that has more impacts than a word may have.
+    pub fn twice(&self) -> Option<Self> {
+        (2 * self.impacts() <= Self::LONGEST).then(|| Self(self.0.iter().chain(&self.0).copied().collect()))
     }
 
     /// The word that this one goes through twice.
@@ -218,8 +218,8 @@ mod tests {
         assert!(error("").contains("no letter"));
         assert!(error("BXT").contains("`X`"));
         assert!(error("bt").contains("`b`"));
-        assert!(error("BTBTBTB").contains("7 impacts; at most 6"));
-        assert!("BTBTBT".parse::<Word>().is_ok());
+        assert!(error("BTBTBTBTBTBTB").contains("13 impacts; at most 12"));
+        assert!("BTBTBTBTBTBT".parse::<Word>().is_ok());
     }
 
     #[test]
@@ -255,7 +255,9 @@ mod tests {
 
     #[test]
     fn a_word_with_an_impact_or_itself_twice_has_a_shorter_one() {
-        assert_eq!(word("BT").twice(), word("BTBT"));
+        assert_eq!(word("BT").twice(), Some(word("BTBT")));
+        assert_eq!(word("BTTBTT").twice().map(|twice| twice.impacts()), Some(12));
+        assert_eq!(word("BTTBTTT").twice(), None);
         assert_eq!(word("BTBT").half(), Some(word("BT")));
         assert_eq!((word("BTT").half(), word("BBTT").half()), (None, None));
         assert_eq!(word("BT").doubled(1), word("BTT"));

@@ -5,7 +5,9 @@ use crate::model::MotionError;
 use crate::orbit::bifurcation::detect::detect;
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::continuation::branch::{Branch, BranchEnd};
+use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::extended_system::ExtendedSystem;
+use crate::orbit::equations::conditions::BifurcationKind;
 use crate::orbit::family::Family;
 use crate::orbit::find::{FoundOrbits, settled};
 use crate::orbit::options::OrbitOptions;
@@ -14,10 +16,26 @@ use crate::orbit::parallel::each;
 use crate::orbit::solve::starts::{brought_near, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
+use nalgebra::DMatrix;
 use numbers::Interval;
+use std::f64::consts::{PI, TAU};
 
 /// A motion found there is known to this, in radians.
 const ROOM: f64 = 1e-9;
+
+/// How far along the kernel of the equations, in radians, a branch that parts from another one is looked for.
+const PARTINGS: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
+
+/// The direction that a matrix of rank one less than its size takes to 0: the right singular vector of the least value.
+fn kernel(rows: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let matrix = DMatrix::from_fn(rows.len(), rows.len(), |row, column| rows[row][column]);
+    let svd = matrix.try_svd(false, true, f64::EPSILON, MOST_ITERATIONS)?;
+    let (least, _) = svd.singular_values.argmin();
+    Some(svd.v_t?.row(least).iter().copied().collect())
+}
+
+/// Iterations of the singular value decomposition.
+const MOST_ITERATIONS: usize = 1000;
 
 /// The branches of motions of a word that a search at some values of the parameter leads to.
 ///
@@ -76,6 +94,50 @@ impl<F: Family + Sync> WordBranches<F> {
         Ok(Self { extended, branches })
     }
 
+    /// The branch that starts at a bifurcation of the motions of `family`: at a period doubling that of the doubled word,
+    /// over twice the periods, and where a symmetry breaks that of the motions without it. It is followed as any other, and
+    /// ends in, or goes through, the bifurcation. `None` at any other bifurcation, where the doubled word would have more
+    /// than [`Word::LONGEST`] impacts, and where Newton's method finds no such branch.
+    pub fn switched(family: F, point: &BifurcationPoint, range: Interval<f64>, options: &OrbitOptions) -> Option<Self> {
+        let (listed, mut phases) = point.listed()?;
+        let repeats = listed.half().is_some() && point.trace > 0.0;
+        let (word, periods) = match point.kind {
+            // listed already as the doubled motion that ends there
+            BifurcationKind::PeriodDoubling if repeats => (listed, point.periods),
+            BifurcationKind::PeriodDoubling => {
+                let turns = TAU * f64::from(point.periods);
+                phases.extend(phases.clone().iter().map(|phase| phase + turns));
+                (listed.twice()?, 2 * point.periods)
+            }
+            BifurcationKind::SymmetryBreaking => (listed, point.periods),
+            _ => return None,
+        };
+        let extended = ExtendedSystem {
+            family,
+            word,
+            periods,
+            range,
+            options: *options,
+        };
+        let (_, rows) = extended.at(&point.parameter)?.linearised(&phases);
+        let kernel = kernel(&rows)?;
+        phases.push(extended.place(point.parameter));
+        let normal = [kernel, vec![0.0]].concat();
+        let branches = PARTINGS.iter().find_map(|part| {
+            let guess: Vec<f64> = phases
+                .iter()
+                .zip(&normal)
+                .map(|(phase, part_of)| phase + part * part_of)
+                .collect();
+            let (found, moved) = extended.corrected(&guess, &normal, dot(&guess, &normal))?;
+            (moved < 0.5 * part).then(|| Branch::through(&extended, found))?
+        });
+        Some(Self {
+            branches: vec![branches?],
+            extended,
+        })
+    }
+
     /// The motions at each of the values, in their order, on all cores: each proved by itself, as by
     /// [`find`](crate::orbit::find()).
     ///
@@ -127,14 +189,14 @@ impl<F: Family + Sync> WordBranches<F> {
         for guess in self.branches.iter().flat_map(|branch| branch.proposals(place)) {
             let phases = solve_word(&middle, guess).filter(|phases| moves(&middle, phases));
             let Some(phases) = phases else { continue };
-            let cycle = WordOrbit::near(&system, brought_near(&phases, std::f64::consts::PI));
+            let cycle = WordOrbit::near(&system, brought_near(&phases, PI));
             if !cycle.is_of_shorter_word() && !cycles.iter().any(|other| other.is_same(&cycle)) {
                 cycles.push(cycle);
             }
         }
         let fixed = family.fixed(value);
         let orbits = cycles.iter().map(|cycle| settled(wanted, &fixed, cycle));
-        let mut found = FoundOrbits::new();
+        let mut found = FoundOrbits::new(false);
         found.take(word, *periods, orbits.collect());
         Ok(found)
     }
@@ -159,6 +221,20 @@ impl<F: Family + Sync> WordBranches<F> {
             && (one.parameter - other.parameter).abs() < 1e-9 * self.extended.range.width()
             && near(&one.velocities, &other.velocities)
             && near(&one.times, &other.times)
+    }
+
+    /// Whether the branches of another search are among these.
+    pub fn has(&self, other: &Self) -> bool {
+        let held = |branch: &Branch| {
+            let middle = &branch.nodes[branch.nodes.len() / 2].point;
+            self.branches.iter().any(|own| own.holds(&self.extended, middle, ROOM))
+        };
+        self.word() == other.word() && other.branches.iter().all(held)
+    }
+
+    /// The word of the motions, and the forcing periods they take.
+    pub fn word(&self) -> (Word, u32) {
+        (self.extended.word.clone(), self.extended.periods)
     }
 
     /// The number of branches, and how many of their ends are no end: where no step on could be made.

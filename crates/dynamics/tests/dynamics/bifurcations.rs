@@ -45,7 +45,7 @@ impl Along {
     }
 
     fn found(&self, d: f64, periods: u32) -> Vec<RoundedOrbit> {
-        let FoundOrbits { orbits, open } = find(&self.fixed(&d), &Word::pair(), periods).expect("a search");
+        let FoundOrbits { orbits, open, .. } = find(&self.fixed(&d), &Word::pair(), periods).expect("a search");
         assert!(open.is_empty(), "{self:?} {d} {open:?}");
         orbits.into_iter().filter(|row| row.periods == periods).collect()
     }

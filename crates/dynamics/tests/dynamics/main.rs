@@ -5,6 +5,7 @@ mod bounds;
 mod curves;
 mod follow;
 mod forced;
+mod forcings;
 mod model;
 mod motions;
 mod orbits;

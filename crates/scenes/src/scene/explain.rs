@@ -99,6 +99,7 @@ impl Scene {
             key if *key == key::DIGITS => self.digits()?.to_string(),
             key if *key == key::WALLS => "both".to_owned(),
             key if *key == key::SIDE => "bottom".to_owned(),
+            key if *key == key::SWITCHES => "0".to_owned(),
             key if *key == key::Z => "at the wall".to_owned(),
             key if *key == key::COSINES && !self.document.has_section("forcing") => "[1]".to_owned(),
             key if key.section == "forcing" => "[]".to_owned(),

@@ -154,6 +154,7 @@ keys! {
     BRANCH_STARTS = "options" "branch_starts" Allowed::Count(MOST_POINTS), "other words over a range: the starts at each, for each impact and forcing period";
     LONGEST_STEP = "options" "longest_step" Allowed::Part, "continuation: the longest step, in radians and ranges of the parameter";
     SHORTEST_STEP = "options" "shortest_step" Allowed::Part, "continuation: the step below which a branch is left";
+    SWITCHES = "options" "switches" Allowed::Count(MOST_TIMES), "continuation: how often the branch that parts at a period doubling, or where a symmetry breaks, is followed in its turn";
     MOST_STEPS = "options" "most_steps" Allowed::Count(MOST_POINTS), "continuation: the most steps in one direction";
     LONGEST_WORD = "options" "longest_word" Allowed::Count(MOST_SYMBOLS), "long runs: the most symbols of a word that is looked for";
     SETTLED = "options" "settled" Allowed::Part, "long runs: how far impacts a cycle apart may differ, in phase, rad, and in velocity";

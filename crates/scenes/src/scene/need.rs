@@ -66,7 +66,8 @@ const MEMBRANE: [&Key; 6] = [
 
 /// What sets how motions at one value are looked for, how they are followed over a range, and what runs come to.
 const ORBIT_OPTIONS: [&Key; 3] = [&key::FINEST_CELL, &key::MOST_CELLS, &key::WORD_STARTS];
-const BRANCH_OPTIONS: [&Key; 7] = [
+const BRANCH_OPTIONS: [&Key; 8] = [
+    &key::SWITCHES,
     &key::MOST_COVER_CELLS,
     &key::MOST_COVERS,
     &key::BRANCH_VALUES,
@@ -325,7 +326,8 @@ impl Scene {
         }
         let swept = match want {
             Want::Sweep => vec![&key::OVER],
-            Want::Branch if !self.branches_over_two() => vec![&key::OVER],
+            Want::Branch if self.branches_over_two() => vec![ExtentKeys::X.over, ExtentKeys::Y.over],
+            Want::Branch => vec![&key::OVER],
             Want::Map => vec![&key::X_OVER, &key::Y_OVER],
             _ => Vec::new(),
         };
@@ -336,8 +338,7 @@ impl Scene {
                 return Err(self.wrong(key, self.require(key, None)?, allowed.to_owned()));
             }
         }
-        let is_of_one_cosine = want == Want::Optimum || (want == Want::Branch && self.branches_over_two());
-        if !is_of_one_cosine {
+        if want != Want::Optimum {
             return Ok(());
         }
         for key in MOTION_OPTIONS {

@@ -5,7 +5,7 @@ use super::setting::Setting;
 use super::sweep::{Extent, Over};
 use super::{Quantity, Scene, SceneError};
 use dynamics::model::{Motion, MotionError};
-use dynamics::orbit::{Family, ParameterPlane, Word};
+use dynamics::orbit::{Family, ParameterPlane};
 use numbers::{Analytic, Interval};
 
 /// Into how many parts the lines on which curves are looked for divide each side, where the scene does not say.
@@ -28,7 +28,7 @@ impl Scene {
     ///
     /// # Errors
     /// A key of `[branch]` that is lacking or out of its range, x and y that are one parameter or of which one leaves the
-    /// other unread, a range of one value, other words than BT.
+    /// other unread, a range of one value.
     pub fn plane(&self) -> Result<Plane, SceneError> {
         let [x, y] = [self.extent(ExtentKeys::X)?, self.extent(ExtentKeys::Y)?];
         for (keys, Extent { from, to, .. }) in [(ExtentKeys::X, &x), (ExtentKeys::Y, &y)] {
@@ -42,10 +42,6 @@ impl Scene {
             (x.over, [&x.from, &x.to]),
             (y.over, [&y.from, &y.to]),
         )?;
-        if self.words()? != [Word::pair()] {
-            let allowed = "BT alone, where branch goes over two parameters".to_owned();
-            return Err(self.wrong(&key::WORDS, self.require(&key::WORDS, None)?, allowed));
-        }
         let setting = self.setting_without(&[x.over, y.over])?;
         Ok(Plane {
             setting,

@@ -411,6 +411,14 @@ impl Scene {
         })
     }
 
+    /// How often a branch that parts from another is followed in its turn; 0 where nothing is said.
+    ///
+    /// # Errors
+    /// What is no such number.
+    pub fn switches(&self) -> Result<u32, SceneError> {
+        self.count_or(&key::SWITCHES, 0)
+    }
+
     /// The tolerances and limits of `[options]`, and those that hold where nothing else is said.
     ///
     /// # Errors

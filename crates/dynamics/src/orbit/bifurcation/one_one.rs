@@ -282,6 +282,9 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
     let middle = family.motion_at(&Interval::point(cover.range.midpoint()));
     let middle = middle.map(|motion| OneOneEquations::new(&motion, cover.periods));
     let elastic = middle.as_ref().is_ok_and(|balance| balance.loss().contains_zero());
+    let plastic = middle
+        .as_ref()
+        .is_ok_and(|balance| balance.loss_factor().magnitude() == 0.0);
     let weightless = middle.is_ok_and(|balance| balance.g().contains_zero());
     let line = Line::new(family, cover);
     let mut crossings = Vec::new();
@@ -301,7 +304,8 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
     }
     for condition in CONDITIONS {
         // With r_B r_T = 1 multipliers meet at 1 and -1 alone, which are events of their own.
-        if elastic && condition.kind() == BifurcationKind::NodeFocus {
+        // With r_B r_T = 0 one is 0 and the other the trace: nothing happens where they meet.
+        if (elastic || plastic) && condition.kind() == BifurcationKind::NodeFocus {
             continue;
         }
         let apart = match condition {

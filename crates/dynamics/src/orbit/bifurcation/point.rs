@@ -6,8 +6,10 @@ use crate::orbit::equations::flight::OrbitImpact;
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use crate::orbit::interval_box::larger;
 use crate::orbit::orbit::{clearance, reduced};
+use crate::orbit::solve::starts::listed_from;
 use crate::orbit::word::Word;
 use numbers::{Analytic, Endpoint, Field, Interval, Rung, Telling, Told};
+use std::f64::consts::PI;
 
 /// Where an impact has velocity 0, a flight starts and ends on the wall itself. Its turning points are those of the motion
 /// with this velocity instead, towards the wall: on the side of the bifurcation on which there are motions.
@@ -47,6 +49,21 @@ pub struct BifurcationPoint<N = f64> {
     pub error_bound: Option<N>,
     /// The number type of the enclosures.
     pub computed_in: Rung,
+}
+
+impl BifurcationPoint {
+    /// The word in the spelling that all its rotations share, and the phases of its impacts, which increase along it.
+    pub(crate) fn listed(&self) -> Option<(Word, Vec<f64>)> {
+        let later = self.times.iter().scan(*self.phases.first()?, |phase, time| {
+            let here = *phase;
+            *phase += PI * time;
+            Some(here)
+        });
+        let phases: Vec<f64> = later.collect();
+        let spelled = self.word.spelled();
+        let first = (0..spelled.impacts()).find(|first| self.word.rotated(*first) == spelled)?;
+        Some((spelled, listed_from(&phases, first, self.periods)))
+    }
 }
 
 impl<N: Told> BifurcationPoint<N> {

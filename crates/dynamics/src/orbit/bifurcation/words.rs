@@ -6,8 +6,9 @@ use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::continuation::test_functions::TestFunctions;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind, touch_excess};
 use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
-use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
+use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact};
 use crate::orbit::equations::square_system::SquareSystem;
+use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::Family;
 use crate::orbit::inconclusive::{Inconclusive, Property};
 use crate::orbit::interval_box::IntervalBox;
@@ -37,8 +38,10 @@ pub(crate) enum Listing {
     Doubled(usize),
 }
 
-/// The most unknowns there are: the phases of the longest word, the parameter and the time of a touch.
-pub(crate) const UNKNOWNS: usize = Word::LONGEST + 2;
+/// The unknowns of most words, and the most there are: the phases of the longest word, the parameter and the time of a
+/// touch. The equations are compiled for these two numbers alone.
+const FEW: usize = 8;
+const UNKNOWNS: usize = Word::LONGEST + 2;
 
 /// How Newton's method ends: from a good guess it takes four steps.
 const ENDING: Ending = Ending {
@@ -56,27 +59,38 @@ const TENTHS: i32 = 9;
 const ZERO_CLEARANCE: f64 = 1e-25;
 
 /// A point with 0 for the unknowns that a word does not have.
-fn padded(point: &[f64]) -> [f64; UNKNOWNS] {
+fn padded<const D: usize>(point: &[f64]) -> [f64; D] {
     std::array::from_fn(|i| point.get(i).copied().unwrap_or(0.0))
 }
 
+/// The left sides of the equations of a word and of a condition, a touch a time `after` into its flight.
+pub(crate) fn conditioned<T: Analytic>(
+    system: &WordEquations<T>,
+    condition: BifurcationCondition,
+    phases: &[T],
+    after: &T,
+) -> Option<Vec<T>> {
+    let mut values = system.residuals(phases);
+    let impacts = system.orbit_impacts(phases);
+    let sides: Vec<Side> = system.word.sides().collect();
+    match condition {
+        BifurcationCondition::ZeroVelocity(impact) => values.push(impacts.get(impact)?.velocity.clone()),
+        BifurcationCondition::Touch(flight, wall) => {
+            let path = LaunchedFlight::after(&system.motion, *sides.get(flight)?, impacts.get(flight)?);
+            values.extend(touch_excess(&path, wall, after));
+        }
+        condition => values.push(condition.multiplier_excess(&flight_jacobians(&sides, &system.motion, &impacts))),
+    }
+    Some(values)
+}
+
 impl<F: Family> ConditionedWord<'_, F> {
-    /// As many equations for every word, so that the proofs are compiled once: unknowns that a word does not have
-    /// are 0, by equations of their own. `None` where the parameter can have no such value.
-    fn equations<T: Analytic>(&self, at: &[T; UNKNOWNS]) -> Option<[T; UNKNOWNS]> {
+    /// As many equations for every word, so that the proofs are compiled for few numbers of unknowns: those that a word
+    /// does not have are 0, by equations of their own. `None` where the parameter can have no such value.
+    fn equations<T: Analytic, const D: usize>(&self, at: &[T; D]) -> Option<[T; D]> {
         let count = self.extended.impacts();
         let system = self.extended.at(&at[count])?;
-        let mut values = system.residuals(&at[..count]);
-        let impacts = system.orbit_impacts(&at[..count]);
-        let sides: Vec<Side> = system.word.sides().collect();
-        match self.condition {
-            BifurcationCondition::ZeroVelocity(impact) => values.push(impacts[impact].velocity.clone()),
-            BifurcationCondition::Touch(flight, wall) => {
-                let path = HarmonicFlight::after(&system.motion, sides[flight], &impacts[flight]);
-                values.extend(touch_excess(&path, wall, &at[count + 1]));
-            }
-            condition => values.push(condition.multiplier_excess(&flight_jacobians(&sides, &system.motion, &impacts))),
-        }
+        let mut values = conditioned(&system, self.condition, &at[..count], &at[(count + 1).min(D - 1)])?;
         let own = values.len();
         values.extend(at[own..].iter().cloned());
         values.try_into().ok()
@@ -84,32 +98,50 @@ impl<F: Family> ConditionedWord<'_, F> {
 
     /// The solution that Newton's method leads to from a guess at all unknowns.
     pub fn solved(&self, guess: &[f64]) -> Option<Vec<f64>> {
-        let point = newton_by_duals(padded(guess), &ENDING, |at| self.equations(at))?;
+        if guess.len() <= FEW {
+            self.solved_among::<FEW>(guess)
+        } else {
+            self.solved_among::<UNKNOWNS>(guess)
+        }
+    }
+
+    fn solved_among<const D: usize>(&self, guess: &[f64]) -> Option<Vec<f64>> {
+        let point = newton_by_duals::<D>(padded(guess), &ENDING, |at| self.equations(at))?;
         Some(point[..guess.len()].to_vec())
     }
 
     /// The bifurcation at a point, proved where that can be.
     pub fn located(&self, point: &[f64]) -> Option<BifurcationPoint> {
-        self.proved(point).or_else(|| {
+        self.enclosed_at(point).map(|(found, _)| found)
+    }
+
+    /// The same, with the box of all unknowns in which it is proved to be, if it is.
+    pub fn enclosed_at(&self, point: &[f64]) -> Option<(BifurcationPoint, Option<Vec<Interval<f64>>>)> {
+        let proved = if point.len() <= FEW {
+            self.proved_among::<FEW>(point)
+        } else {
+            self.proved_among::<UNKNOWNS>(point)
+        };
+        proved.map(|(found, cell)| (found, Some(cell))).or_else(|| {
             let cell: Vec<Interval<DoubleDouble>> = point.iter().map(|side| Interval::from_f64(*side)).collect();
-            self.row(&cell, false)
+            Some((self.row(&cell, false)?, None))
         })
     }
 
     /// Proved in f64, then located as well as double-double can.
-    fn proved(&self, point: &[f64]) -> Option<BifurcationPoint> {
+    fn proved_among<const D: usize>(&self, point: &[f64]) -> Option<(BifurcationPoint, Vec<Interval<f64>>)> {
         let unknowns = point.len();
-        let point = padded(point);
+        let point = padded::<D>(point);
         let place = self.extended.impacts();
         let scale = |i: usize| {
             if i == place { self.extended.range.width() } else { 1.0 }
         };
-        let root: ProvedRoot<f64, UNKNOWNS> = (0..TENTHS).find_map(|tenths| {
+        let root: ProvedRoot<f64, D> = (0..TENTHS).find_map(|tenths| {
             let half_widths = std::array::from_fn(|i| WIDEST * 0.1_f64.powi(tenths) * scale(i));
             prove(self, &point, &half_widths)
         })?;
-        let cell = prove_over::<f64, DoubleDouble, UNKNOWNS>(self, &root)?;
-        self.row(&cell[..unknowns], true)
+        let cell = prove_over::<f64, DoubleDouble, D>(self, &root)?;
+        Some((self.row(&cell[..unknowns], true)?, root.enclosure[..unknowns].to_vec()))
     }
 
     fn row<E: Endpoint>(&self, cell: &[Interval<E>], certified: bool) -> Option<BifurcationPoint> {
@@ -193,7 +225,12 @@ impl<F: Family> ConditionedWord<'_, F> {
         let (word, periods) = (&self.extended.word, self.extended.periods);
         match self.listing {
             Listing::Plain => (word.clone(), periods, impacts),
-            Listing::Twice => (word.twice(), 2 * periods, [impacts.clone(), impacts].concat()),
+            // the word that was followed is twice this one
+            Listing::Twice => (
+                word.twice().unwrap_or_else(|| word.clone()),
+                2 * periods,
+                [impacts.clone(), impacts].concat(),
+            ),
             Listing::Doubled(impact) => {
                 let mut again = impacts[impact].clone();
                 again.time = Interval::from_integer(0);
@@ -204,15 +241,15 @@ impl<F: Family> ConditionedWord<'_, F> {
     }
 }
 
-impl<F: Family, E: Endpoint> SquareSystem<E, UNKNOWNS> for ConditionedWord<'_, F>
+impl<F: Family, E: Endpoint, const D: usize> SquareSystem<E, D> for ConditionedWord<'_, F>
 where
     Interval<E>: DualNum,
 {
-    fn linearised(&self, cell: &IntervalBox<E, UNKNOWNS>) -> Linearised<Interval<E>, UNKNOWNS> {
+    fn linearised(&self, cell: &IntervalBox<E, D>) -> Linearised<Interval<E>, D> {
         by_duals(|at| self.equations(at), cell).unwrap_or_else(unknown)
     }
 
-    fn values(&self, cell: &IntervalBox<E, UNKNOWNS>) -> IntervalBox<E, UNKNOWNS> {
+    fn values(&self, cell: &IntervalBox<E, D>) -> IntervalBox<E, D> {
         self.equations(cell).unwrap_or_else(|| unknown().0)
     }
 }

@@ -1,10 +1,12 @@
 //! Test functions, in f64: a change of sign along a branch brackets a bifurcation.
 
 use crate::model::Side;
+use crate::orbit::clearance::OrbitFlight;
 use crate::orbit::equations::conditions::BifurcationCondition;
-use crate::orbit::equations::flight::HarmonicFlight;
+use crate::orbit::equations::flight::LaunchedFlight;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::orbit::flight_jacobians;
+use numbers::Interval;
 use std::f64::consts::{PI, TAU};
 
 /// Steps to a turning point: bisection alone would take fifty.
@@ -44,7 +46,7 @@ impl TestFunctions {
         let jacobians = flight_jacobians(&sides, &system.motion, &impacts);
         let flights = sides.iter().zip(&impacts);
         let turns: Vec<Vec<TurningPoint>> = flights
-            .map(|(side, impact)| turns(&HarmonicFlight::after(&system.motion, *side, impact), impact.time))
+            .map(|(side, impact)| turns(&LaunchedFlight::after(&system.motion, *side, impact), impact.time))
             .collect();
         let crossings = turns.iter().map(|turns| crossings(turns));
         Self {
@@ -104,12 +106,16 @@ pub(crate) fn crossings(turns: &[TurningPoint]) -> [usize; 2] {
     })
 }
 
-/// The turning points strictly inside a flight of this duration, in order: between two changes of sign of f + g the
-/// velocity is monotone and has one zero or none, as its signs at the ends say.
-fn turns(flight: &HarmonicFlight<f64>, time: f64) -> Vec<TurningPoint> {
+/// The turning points strictly inside a flight of this duration, in order: between two changes of sign of f + g, or on
+/// the pieces of [`OrbitFlight::pieces`], the velocity has one zero or none, as its signs at the ends say.
+fn turns(flight: &LaunchedFlight<f64>, time: f64) -> Vec<TurningPoint> {
     let velocity = |after: f64| flight.velocity(&after);
     let mut nodes = vec![0.0];
-    if flight.g.abs() < 1.0 {
+    if flight.other_forcing().is_some() {
+        let flight = flight.convert(|value| Interval::point(*value));
+        let time = Interval::point(time);
+        nodes.extend(OrbitFlight { flight, time }.pieces().times);
+    } else if flight.g.abs() < 1.0 {
         let reach = (-flight.g).acos();
         let end = flight.phase + PI * time;
         let first = (flight.phase / TAU).floor() as i64;
@@ -126,7 +132,10 @@ fn turns(flight: &HarmonicFlight<f64>, time: f64) -> Vec<TurningPoint> {
         if before * after < 0.0 {
             let slope = |after: f64| flight.acceleration(&after);
             let after = zero(velocity, slope, pair[0], pair[1], before);
-            let distances = WALLS.map(|wall| flight.distance(wall, &after));
+            let distances = WALLS.map(|wall| match wall {
+                Side::Top if !flight.has_top() => f64::INFINITY,
+                wall => flight.distance(wall, &after),
+            });
             turns.push(TurningPoint { after, distances });
         }
         before = after;
@@ -165,7 +174,6 @@ mod tests {
     use crate::model::Motion;
     use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
-    use numbers::Interval;
 
     #[test]
     fn the_gauge_agrees_with_the_enclosures_of_a_motion() {

@@ -134,7 +134,7 @@ fn system<T: Analytic, U: Analytic>(
 ) -> Option<WordEquations<U>> {
     Some(WordEquations {
         motion: motion.convert(convert).ok()?,
-        word: Word::pair().twice(),
+        word: Word::pair().twice()?,
         periods: 2 * periods,
     })
 }

@@ -1,7 +1,7 @@
 //! The conditions that a motion meets at a bifurcation, and the kinds of bifurcations.
 
 use crate::model::Side;
-use crate::orbit::equations::flight::HarmonicFlight;
+use crate::orbit::equations::flight::LaunchedFlight;
 use crate::orbit::stability::{FlightJacobian, loss_factor, product};
 use numbers::Analytic;
 use std::fmt;
@@ -85,17 +85,22 @@ impl BifurcationCondition {
     }
 
     /// (Tr(DP) - its value where the condition holds) times the velocities of all impacts, which has no pole; 0 for a
-    /// condition that is not on a multiplier.
+    /// condition that is not on a multiplier, and for one on a node and a focus after a plastic impact, where no motion is a
+    /// focus.
     pub fn multiplier_excess<T: Analytic>(self, jacobians: &[FlightJacobian<T>]) -> T {
-        let Some(level) = self.trace(&loss_factor(jacobians)) else {
+        let loss = loss_factor(jacobians);
+        let Some(level) = self.trace(&loss) else {
             return T::zero();
         };
+        if self.kind() == BifurcationKind::NodeFocus && loss.is_zero() {
+            return T::zero();
+        }
         let (matrix, velocities) = product(jacobians);
         matrix.trace() - level * velocities
     }
 }
 
 /// [the distance from the wall, the velocity], a time `after` into a flight; both 0 at a touch.
-pub fn touch_excess<T: Analytic>(flight: &HarmonicFlight<T>, wall: Side, after: &T) -> [T; 2] {
+pub fn touch_excess<T: Analytic>(flight: &LaunchedFlight<T>, wall: Side, after: &T) -> [T; 2] {
     [flight.distance(wall, after), flight.velocity(after)]
 }

@@ -1,12 +1,13 @@
-//! One flight under the forcing cos(phase): the laws (3) and (4), and the boundary value problem between two phases.
+//! One flight under the forcing of the motion: the laws (3) and (4), and the boundary value problem between two phases.
 
-use crate::model::{Map, Motion, Side};
+use crate::model::{Forcing, Map, Motion, Side};
 use numbers::Analytic;
+use std::sync::Arc;
 
 /// One impact of a periodic motion, and how long the flight after it lasts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrbitImpact<T> {
-    /// pi t at the impact: the forcing is cos(phase). Any number of turns.
+    /// pi t at the impact: the forcing of the paper is cos(phase). Any number of turns.
     pub phase: T,
     /// Just before the impact: positive at the bottom, negative at the top.
     pub velocity: T,
@@ -14,9 +15,48 @@ pub struct OrbitImpact<T> {
     pub time: T,
 }
 
+/// The forcing at one phase, scaled so that for the paper's cos(phase) no value needs a division.
+pub(crate) struct ScaledForcing<T> {
+    /// f; cos(phase) for the paper's forcing.
+    pub f: T,
+    /// pi F_1; sin(phase).
+    pub first: T,
+    /// -pi^2 F_2; cos(phase).
+    pub second: T,
+}
+
+impl<T: Analytic> ScaledForcing<T> {
+    /// The forcing at a phase: cos(phase), or another one of period 2, whose harmonic n turns with n times the phase.
+    pub fn new(other: Option<&Forcing<T>>, phase: &T) -> Self {
+        let Some(forcing) = other else {
+            let (sin, cos) = phase.sincos();
+            return Self {
+                f: cos.clone(),
+                first: sin,
+                second: cos,
+            };
+        };
+        let [mut f, mut first, mut second] = [T::zero(), T::zero(), T::zero()];
+        for (order, cosine, sine) in forcing.harmonics() {
+            let (sin, cos) = (T::from_integer(order) * phase.clone()).sincos();
+            let along = cosine.clone() * cos.clone() + sine.clone() * sin.clone();
+            let across = cosine.clone() * sin - sine.clone() * cos;
+            f += along.clone();
+            first += across * T::from_ratio(1, order);
+            second += along * T::from_ratio(1, order * order);
+        }
+        Self { f, first, second }
+    }
+}
+
+/// f + g at a phase.
+pub(crate) fn push<T: Analytic>(motion: &Motion<T>, phase: &T) -> T {
+    ScaledForcing::new(motion.other_forcing(), phase).f + motion.g().clone()
+}
+
 /// The flight after an impact, by (3) and (4), whether or not it would have ended at a wall before.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HarmonicFlight<T> {
+pub struct LaunchedFlight<T> {
     /// The wall it starts from.
     pub side: Side,
     /// At the start.
@@ -27,12 +67,16 @@ pub struct HarmonicFlight<T> {
     pub g: T,
     /// The gap.
     pub d: T,
-    /// sin(phase) and cos(phase) at the start.
+    /// False where there is the bottom alone.
+    has_top: bool,
+    /// pi F_1 and -pi^2 F_2 at the start.
     start: (T, T),
+    /// Where it is not cos(phase).
+    forcing: Option<Arc<Forcing<T>>>,
 }
 
-impl<T: Analytic> HarmonicFlight<T> {
-    /// The flight of a ball launched from a wall.
+impl<T: Analytic> LaunchedFlight<T> {
+    /// The flight of a ball launched from one of two walls, under the forcing cos(phase).
     pub fn new(side: Side, phase: T, launch: T, g: T, d: T) -> Self {
         let start = phase.sincos();
         Self {
@@ -41,20 +85,50 @@ impl<T: Analytic> HarmonicFlight<T> {
             launch,
             g,
             d,
+            has_top: true,
             start,
+            forcing: None,
         }
     }
 
-    /// The flight after an impact at a wall.
+    /// The flight after an impact at a wall, under the forcing of the motion.
     pub fn after(motion: &Motion<T>, side: Side, impact: &OrbitImpact<T>) -> Self {
-        let launch = -(motion.restitution(side).clone() * impact.velocity.clone());
-        Self::new(
+        let phase = impact.phase.clone();
+        let ScaledForcing { first, second, .. } = ScaledForcing::new(motion.other_forcing(), &phase);
+        Self {
             side,
-            impact.phase.clone(),
-            launch,
-            motion.g().clone(),
-            motion.d().clone(),
-        )
+            phase,
+            launch: -(motion.restitution(side).clone() * impact.velocity.clone()),
+            g: motion.g().clone(),
+            d: motion.d().clone(),
+            has_top: motion.has_top(),
+            start: (first, second),
+            forcing: motion.shared_forcing(),
+        }
+    }
+
+    /// The forcing where it is not cos(phase).
+    pub fn other_forcing(&self) -> Option<&Forcing<T>> {
+        self.forcing.as_deref()
+    }
+
+    /// Returns true if there is a wall at the top.
+    pub fn has_top(&self) -> bool {
+        self.has_top
+    }
+
+    /// The same flight over another number.
+    pub(crate) fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> LaunchedFlight<U> {
+        LaunchedFlight {
+            side: self.side,
+            phase: convert(&self.phase),
+            launch: convert(&self.launch),
+            g: convert(&self.g),
+            d: convert(&self.d),
+            has_top: self.has_top,
+            start: (convert(&self.start.0), convert(&self.start.1)),
+            forcing: self.forcing.as_ref().map(|forcing| Arc::new(forcing.convert(&convert))),
+        }
     }
 
     /// The phase a time `after` the start.
@@ -62,14 +136,18 @@ impl<T: Analytic> HarmonicFlight<T> {
         self.phase.clone() + T::pi() * after.clone()
     }
 
+    fn forcing_at(&self, after: &T) -> ScaledForcing<T> {
+        ScaledForcing::new(self.other_forcing(), &self.phase_at(after))
+    }
+
     /// f + g, a time `after` the start.
     pub fn acceleration(&self, after: &T) -> T {
-        self.phase_at(after).sincos().1 + self.g.clone()
+        self.forcing_at(after).f + self.g.clone()
     }
 
     /// Equation (3), a time `after` the start.
     pub fn velocity(&self, after: &T) -> T {
-        let gained = (self.phase_at(after).sincos().0 - self.start.0.clone()) / T::pi();
+        let gained = (self.forcing_at(after).first - self.start.0.clone()) / T::pi();
         self.launch.clone() + self.g.clone() * after.clone() + gained
     }
 
@@ -78,7 +156,7 @@ impl<T: Analytic> HarmonicFlight<T> {
         let pi = T::pi();
         let fall = self.g.clone() * after.clone() * T::from_ratio(1, 2);
         let drift = self.launch.clone() - self.start.0.clone() / pi.clone() + fall;
-        let forced = (self.start.1.clone() - self.phase_at(after).sincos().1) / (pi.clone() * pi);
+        let forced = (self.start.1.clone() - self.forcing_at(after).second) / (pi.clone() * pi);
         drift * after.clone() + forced
     }
 
@@ -120,46 +198,92 @@ pub struct FlightBoundaryDerivatives<T> {
 impl<T: Analytic> FlightBoundaryValues<T> {
     /// The flight of `map` from phase `start` to phase `end`, further on by pi times its duration.
     pub fn new(motion: &Motion<T>, map: Map, start: &T, end: &T) -> Self {
-        let time = (end.clone() - start.clone()) / T::pi();
-        let (start_sin, start_cos) = start.sincos();
-        let (end_sin, end_cos) = end.sincos();
-        let mean = mean(motion, map, &time, end_cos - start_cos);
-        let fall = motion.g().clone() * time * T::from_ratio(1, 2);
-        Self {
-            launch: mean.clone() - fall.clone() + start_sin / T::pi(),
-            arrival: mean + fall + end_sin / T::pi(),
-        }
+        BoundaryTerms::new(motion, map, start, end).values()
     }
 
     /// The derivatives in closed form, for the proofs: nothing of dual numbers has to be trusted over intervals.
     pub fn slopes(motion: &Motion<T>, map: Map, start: &T, end: &T) -> FlightBoundaryDerivatives<T> {
+        BoundaryTerms::new(motion, map, start, end).slopes()
+    }
+
+    /// The flight and its derivatives.
+    pub fn linearised(motion: &Motion<T>, map: Map, start: &T, end: &T) -> (Self, FlightBoundaryDerivatives<T>) {
+        let terms = BoundaryTerms::new(motion, map, start, end);
+        (terms.values(), terms.slopes())
+    }
+}
+
+/// What values and derivatives of a flight between two phases share.
+struct BoundaryTerms<T> {
+    time: T,
+    g: T,
+    mean: T,
+    start: ScaledForcing<T>,
+    end: ScaledForcing<T>,
+}
+
+impl<T: Analytic> BoundaryTerms<T> {
+    fn new(motion: &Motion<T>, map: Map, start: &T, end: &T) -> Self {
+        let time = (end.clone() - start.clone()) / T::pi();
+        let [start, end] = [start, end].map(|phase| ScaledForcing::new(motion.other_forcing(), phase));
+        Self {
+            mean: mean(motion, map, &time, end.second.clone() - start.second.clone()),
+            g: motion.g().clone(),
+            time,
+            start,
+            end,
+        }
+    }
+
+    fn values(&self) -> FlightBoundaryValues<T> {
+        let Self {
+            time,
+            g,
+            mean,
+            start,
+            end,
+        } = self;
+        let fall = g.clone() * time.clone() * T::from_ratio(1, 2);
+        FlightBoundaryValues {
+            launch: mean.clone() - fall.clone() + start.first.clone() / T::pi(),
+            arrival: mean.clone() + fall + end.first.clone() / T::pi(),
+        }
+    }
+
+    fn slopes(&self) -> FlightBoundaryDerivatives<T> {
+        let Self {
+            time,
+            g,
+            mean,
+            start,
+            end,
+        } = self;
         let pi = T::pi();
-        let time = (end.clone() - start.clone()) / pi.clone();
-        let (start_sin, start_cos) = start.sincos();
-        let (end_sin, end_cos) = end.sincos();
-        let mean = mean(motion, map, &time, end_cos.clone() - start_cos.clone());
-        let fall = motion.g().clone() * T::from_ratio(1, 2);
-        let over = pi.clone() * time;
-        let by_start = (mean.clone() + start_sin / pi.clone()) / over.clone();
-        let by_end = -(mean + end_sin / pi.clone()) / over;
+        let fall = g.clone() * T::from_ratio(1, 2);
+        let over = pi.clone() * time.clone();
+        let by_start = (mean.clone() + start.first.clone() / pi.clone()) / over.clone();
+        let by_end = -(mean.clone() + end.first.clone() / pi.clone()) / over;
         FlightBoundaryDerivatives {
             launch: [
-                by_start.clone() + (fall.clone() + start_cos) / pi.clone(),
+                by_start.clone() + (fall.clone() + start.f.clone()) / pi.clone(),
                 by_end.clone() - fall.clone() / pi.clone(),
             ],
-            arrival: [by_start - fall.clone() / pi.clone(), by_end + (fall + end_cos) / pi],
+            arrival: [
+                by_start - fall.clone() / pi.clone(),
+                by_end + (fall + end.f.clone()) / pi,
+            ],
         }
     }
 }
 
 /// The displacement, less what the forcing adds, over the time: `(climb - (F_2(end) - F_2(start))) / time`.
-fn mean<T: Analytic>(motion: &Motion<T>, map: Map, time: &T, gained_cos: T) -> T {
+fn mean<T: Analytic>(motion: &Motion<T>, map: Map, time: &T, gained: T) -> T {
     let climb = match (map.from(), map.to()) {
         (Side::Bottom, Side::Top) => -motion.d().clone(),
         (Side::Top, Side::Bottom) => motion.d().clone(),
         _ => T::zero(),
     };
-    (climb + gained_cos / (T::pi() * T::pi())) / time.clone()
+    (climb + gained / (T::pi() * T::pi())) / time.clone()
 }
 
 #[cfg(test)]
@@ -183,7 +307,7 @@ mod tests {
                 velocity: -solved.launch / motion.restitution(side),
                 time: (end - start) / std::f64::consts::PI,
             };
-            let flight = HarmonicFlight::after(&motion, side, &impact);
+            let flight = LaunchedFlight::after(&motion, side, &impact);
             let (at_start, launch) = (flight.distance(side, &0.0), flight.velocity(&0.0));
             let (at_end, arrival) = (flight.distance(map.to(), &impact.time), flight.velocity(&impact.time));
             assert!(at_start == 0.0 && (launch - solved.launch).abs() < 1e-15);

@@ -19,7 +19,7 @@
 //! which hold for rho = 1, g = 0, velocities of 0 and T_1 = r_T T_2 as for any other.
 
 use crate::model::{Motion, Side};
-use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
+use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact};
 use crate::orbit::equations::square_system::{Decision, SquareSystem, not_excluded};
 use crate::orbit::interval_box::IntervalBox;
 use numbers::{Analytic, Endpoint, Interval};
@@ -68,6 +68,11 @@ pub struct SharedTerms<T> {
 }
 
 impl<T: Analytic> OneOneEquations<T> {
+    /// Returns true if these are the equations of a motion: between two walls, under the forcing cos(pi t).
+    pub fn describes(motion: &Motion<T>) -> bool {
+        motion.has_top() && motion.other_forcing().is_none()
+    }
+
     /// The equations; `periods` at least 1.
     pub fn new(motion: &Motion<T>, periods: u32) -> Self {
         let [r_b, r_t] = [Side::Bottom, Side::Top].map(|side| motion.restitution(side).clone());
@@ -238,7 +243,7 @@ impl<T: Analytic> OneOneEquations<T> {
     }
 
     /// The flight from the bottom, 0, or from the top, 1. `t_1` must not contain 0.
-    pub fn flight(&self, index: usize, t_1: &T, middle: &T) -> HarmonicFlight<T> {
+    pub fn flight(&self, index: usize, t_1: &T, middle: &T) -> LaunchedFlight<T> {
         let [v, w] = self.velocities(t_1, middle);
         let [at_bottom, at_top] = self.phases(t_1, middle);
         let (side, before, phase) = if index == 0 {
@@ -247,7 +252,7 @@ impl<T: Analytic> OneOneEquations<T> {
             (Side::Top, w, at_top)
         };
         let launch = -(self.restitution(side) * before);
-        HarmonicFlight::new(side, phase, launch, self.g.clone(), self.d.clone())
+        LaunchedFlight::new(side, phase, launch, self.g.clone(), self.d.clone())
     }
 
     /// (Tr(DP) - `level`) v w (N T_1)²: the distance of the trace from a level, without its poles at v = 0 and w = 0.

@@ -3,7 +3,7 @@
 use crate::model::{Map, Motion};
 use crate::orbit::equations::flight::{FlightBoundaryDerivatives, FlightBoundaryValues, OrbitImpact};
 use crate::orbit::word::Word;
-use numbers::{Analytic, Gradient};
+use numbers::Analytic;
 
 /// A word at a motion: as many equations as impacts, in the phases of the impacts.
 ///
@@ -37,11 +37,13 @@ impl<T: Analytic> WordEquations<T> {
 
     /// r times the velocity of arrival, plus the launch velocity, at each impact: 0 on an orbit.
     pub fn residuals(&self, phases: &[T]) -> Vec<T> {
-        let leaps = self.flights(phases);
-        let leaps: Vec<_> = leaps
-            .map(|(map, start, end)| FlightBoundaryValues::new(&self.motion, map, &start, &end))
-            .collect();
-        let impacts = self.restitutions().zip(&leaps).enumerate();
+        let flights = self.flights(phases);
+        let flights = flights.map(|(map, start, end)| FlightBoundaryValues::new(&self.motion, map, &start, &end));
+        self.missed(&flights.collect::<Vec<_>>())
+    }
+
+    fn missed(&self, leaps: &[FlightBoundaryValues<T>]) -> Vec<T> {
+        let impacts = self.restitutions().zip(leaps).enumerate();
         let residual = |(index, (r, leap)): (usize, (T, &FlightBoundaryValues<T>))| {
             let before = &leaps[(index + leaps.len() - 1) % leaps.len()];
             r * before.arrival.clone() + leap.launch.clone()
@@ -66,6 +68,14 @@ impl<T: Analytic> WordEquations<T> {
             row[after] += by_end.clone();
         }
         rows
+    }
+
+    /// The residuals and their derivatives, row by row.
+    pub fn linearised(&self, phases: &[T]) -> (Vec<T>, Vec<Vec<T>>) {
+        let flights = self.flights(phases);
+        let both = flights.map(|(map, start, end)| FlightBoundaryValues::linearised(&self.motion, map, &start, &end));
+        let (values, slopes): (Vec<_>, Vec<_>) = both.unzip();
+        (self.missed(&values), self.assembled(&slopes))
     }
 
     /// The derivatives of the residuals in closed form.
@@ -108,38 +118,11 @@ impl<T: Analytic> WordEquations<T> {
     }
 }
 
-impl WordEquations<f64> {
-    /// Residuals and their derivatives by dual numbers, row by row, in one pass.
-    pub fn linearised(&self, phases: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
-        let motion = self.motion.convert(|value| Gradient::<2>::from_re(*value)).ok()?;
-        let leaps = self.flights(phases).map(|(map, start, end)| {
-            let [start, end] = [start, end].map(Gradient::<2>::from_re);
-            FlightBoundaryValues::new(&motion, map, &start.derivative(0), &end.derivative(1))
-        });
-        let leaps: Vec<_> = leaps.collect();
-        let parts = |value: &Gradient<2>| {
-            let eps = value.eps.unwrap_generic(nalgebra::Const::<2>, nalgebra::U1);
-            [eps[0], eps[1]]
-        };
-        let slopes: Vec<_> = leaps
-            .iter()
-            .map(|leap| FlightBoundaryDerivatives {
-                launch: parts(&leap.launch),
-                arrival: parts(&leap.arrival),
-            })
-            .collect();
-        let impacts = self.restitutions().zip(&leaps).enumerate();
-        let residual = |(index, (r, leap)): (usize, (f64, &FlightBoundaryValues<Gradient<2>>))| {
-            r * leaps[(index + leaps.len() - 1) % leaps.len()].arrival.re + leap.launch.re
-        };
-        Some((impacts.map(residual).collect(), self.assembled(&slopes)))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::{Forcing, Impact, Side, next_impact};
+    use numbers::{Dual, seeded};
     use std::f64::consts::PI;
 
     fn system(word: &str, periods: u32) -> WordEquations<f64> {
@@ -175,17 +158,28 @@ mod tests {
             ("BTT", &[0.4, 2.0, 3.1]),
             ("BBTBTT", &[0.4, 1.1, 2.2, 3.0, 3.3, 5.5]),
         ] {
-            let system = system(word, 2);
-            let (residuals, by_duals) = system.linearised(phases).expect("derivatives");
-            let in_closed_form = system.jacobian(phases);
-            for (row, other) in by_duals.iter().zip(&in_closed_form) {
-                assert!(row.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-13), "{word}");
+            let forcing = Forcing::periodic(2.0, &[0.7, -0.2], &[0.1, 0.3, 0.4]).expect("a forcing");
+            let mut other = system(word, 2);
+            other.motion = other.motion.with_forcing(forcing).expect("of period 2");
+            for system in [system(word, 2), other] {
+                let (residuals, in_closed_form) = system.linearised(phases);
+                assert_eq!(in_closed_form, system.jacobian(phases));
+                let lifted = system.convert(|value| Dual::from_re(*value)).expect("a motion");
+                for column in 0..phases.len() {
+                    let lift = |(i, phase): (usize, &f64)| match i == column {
+                        true => seeded(*phase),
+                        false => Dual::from_re(*phase),
+                    };
+                    let by_duals = lifted.residuals(&phases.iter().enumerate().map(lift).collect::<Vec<_>>());
+                    let mut rows = by_duals.iter().zip(&in_closed_form);
+                    assert!(rows.all(|(dual, row)| (dual.eps - row[column]).abs() < 1e-13), "{word}");
+                }
+                let plain = system.residuals(phases);
+                assert!(
+                    residuals.iter().zip(&plain).all(|(a, b)| (a - b).abs() < 1e-14),
+                    "{word}"
+                );
             }
-            let plain = system.residuals(phases);
-            assert!(
-                residuals.iter().zip(&plain).all(|(a, b)| (a - b).abs() < 1e-14),
-                "{word}"
-            );
         }
     }
 }

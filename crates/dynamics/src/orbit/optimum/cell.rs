@@ -1,7 +1,7 @@
 //! What holds of every device and motion in a box, and what it is worth at most.
 
 use crate::model::Side;
-use crate::orbit::equations::flight::HarmonicFlight;
+use crate::orbit::equations::flight::LaunchedFlight;
 use crate::orbit::interval_box::{IntervalBox, width};
 use crate::orbit::optimum::design::{Choice, Devices};
 use crate::orbit::optimum::explicit::{ExplicitOneOne, Restitutions};
@@ -283,7 +283,7 @@ impl<'a> Formulas<'a> {
             let [phase, launch, time] =
                 [central.phases[index], launches[index], central.times[index]].map(|value| value.midpoint());
             let launch = -side.sign() * launch;
-            let flight = HarmonicFlight::new(side, phase, launch, g.midpoint(), d.midpoint());
+            let flight = LaunchedFlight::new(side, phase, launch, g.midpoint(), d.midpoint());
             let Some(turn) = nearest_turn(&flight, time, self.total.high()) else {
                 continue;
             };
@@ -388,10 +388,10 @@ fn seeds(cell: &Cell, column: usize) -> [Dual<Interval>; UNKNOWNS] {
 }
 
 /// The flight from the bottom, 0, or from the top, 1.
-pub fn flight<T: Analytic>(explicit: &ExplicitOneOne<T>, index: usize, d: T, g: T) -> HarmonicFlight<T> {
+pub fn flight<T: Analytic>(explicit: &ExplicitOneOne<T>, index: usize, d: T, g: T) -> LaunchedFlight<T> {
     let side = [Side::Bottom, Side::Top][index];
     let launch = -side.signed(explicit.launches()[index].clone());
-    HarmonicFlight::new(side, explicit.phases[index].clone(), launch, g, d)
+    LaunchedFlight::new(side, explicit.phases[index].clone(), launch, g, d)
 }
 
 /// Where a flight turns.
@@ -408,7 +408,7 @@ struct Turn {
 }
 
 /// The turning point of a flight that is nearest to a wall, or farthest beyond it; `None` where none is seen.
-fn nearest_turn(flight: &HarmonicFlight<f64>, time: f64, total: f64) -> Option<Turn> {
+fn nearest_turn(flight: &LaunchedFlight<f64>, time: f64, total: f64) -> Option<Turn> {
     let looks = (f64::from(LOOKS) * total / 2.0) as u32;
     let at = |index: u32| time * f64::from(index) / f64::from(looks);
     let mut nearest: Option<Turn> = None;

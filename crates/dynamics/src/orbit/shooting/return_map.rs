@@ -4,7 +4,7 @@
 //! [`OneOneEquations`](crate::orbit::OneOneEquations) and [`FlightBoundaryValues`](crate::orbit::FlightBoundaryValues), which solve (9) to (13) for the phases. Derivatives are those
 //! of dual numbers through the flights. Nothing is proved: it confirms what was.
 
-use crate::model::{Flight, FlightError, Forcing, Impact, Leg, Motion, MotionError, Side};
+use crate::model::{Flight, FlightError, Impact, Leg, Motion, MotionError, Side};
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::equations::flight::OrbitImpact;
@@ -90,7 +90,7 @@ impl ReturnMap<'_> {
         start: Impact<T>,
         durations: &[T],
     ) -> Result<Iterate<T>, ShootingError> {
-        let forcing = Forcing::harmonic(&T::zero());
+        let forcing = motion.forcing();
         let mut lap = Iterate {
             impacts: Vec::new(),
             durations: Vec::new(),
@@ -277,7 +277,7 @@ struct TouchGuess {
 impl TouchGuess {
     /// Of all turning points, that nearest to a wall.
     fn find(motion: &Motion<f64>, near: &BifurcationPoint) -> Result<Self, ShootingError> {
-        let forcing = Forcing::harmonic(&0.0);
+        let forcing = motion.forcing();
         let mut best: Option<(f64, Self)> = None;
         for (flight, side) in [Side::Bottom, Side::Top].into_iter().enumerate() {
             let launch = -motion.restitution(side) * near.velocities[flight];
@@ -319,7 +319,7 @@ impl TouchGuess {
         let fix = fixes.get(self.flight).ok_or(ShootingError::Astray)?;
         let launch = -(motion.restitution(self.side).clone() * fix.velocity.clone());
         let time = fix.phase.clone() / T::pi();
-        let flight = Flight::launched(motion, &Forcing::harmonic(&T::zero()), self.side, &time, launch)?;
+        let flight = Flight::launched(motion, &motion.forcing(), self.side, &time, launch)?;
         let state = flight.state(after);
         Ok([state.displacement - flight.target(self.wall), state.velocity])
     }
@@ -338,7 +338,7 @@ fn slow<T: Analytic>(family: &impl Family, near: &BifurcationPoint) -> Result<(T
     ];
     let found = solved(start, |[time, lasts, arrival, parameter]| {
         let motion = family.motion_at(parameter)?;
-        let forcing = Forcing::harmonic(&T::zero());
+        let forcing = motion.forcing();
         let away = Flight::launched(&motion, &forcing, side, time, T::zero())?;
         let there = away.state(lasts);
         let launch = -(motion.restitution(side.opposite()).clone() * arrival.clone());

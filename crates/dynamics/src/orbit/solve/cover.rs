@@ -33,6 +33,9 @@ pub enum CoverError {
     /// A parameter leaves its range within the sweep.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// The motions have another forcing than cos(pi t), or one wall.
+    #[error("only motions between two walls under the forcing cos(pi t) are covered; follow the word BT instead")]
+    Uncovered,
 }
 
 /// Cells that hold every 1-1 motion with v > 0 > w over a range of the parameter.
@@ -50,13 +53,16 @@ impl Cover {
     /// Covers the motions of `periods` periods for parameters in `range`.
     ///
     /// # Errors
-    /// A range in which a parameter of the motion cannot be.
+    /// A range in which a parameter of the motion cannot be; `Uncovered`.
     pub fn new(
         family: &impl Family,
         periods: u32,
         range: Interval<f64>,
         options: &OrbitOptions,
     ) -> Result<Self, CoverError> {
+        if !OneOneEquations::describes(&family.motion_at(&range)?) {
+            return Err(CoverError::Uncovered);
+        }
         let turn = 2.0 * std::f64::consts::PI;
         let total = 2.0 * f64::from(periods);
         let share = (4.0 * width(range) / PARTS).max(NARROW * range.magnitude());

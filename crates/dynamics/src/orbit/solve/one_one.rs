@@ -41,9 +41,24 @@ pub struct OneOneSearch<E: Endpoint = f64> {
 /// forcing halfway through the flight from bottom to top. Each is found once, whatever its phase.
 ///
 /// Nothing stays undecided unless two motions are nearer than about 1e-8, or a velocity is 0 within rounding:
-/// elsewhere the list is complete, by proof. Costs some hundred evaluations of h_1, h_2.
+/// elsewhere the list is complete, by proof. Costs some hundred evaluations of h_1, h_2. Under another forcing than
+/// cos(pi t), and with one wall, nothing is found and all is left undecided.
 pub fn isolate_one_one(motion: &Motion<Interval<f64>>, periods: u32, options: &OrbitOptions) -> OneOneSearch {
     let balance = OneOneEquations::new(motion, periods);
+    let turn = 2.0 * std::f64::consts::PI;
+    // Each psi in one turn, and the seam twice: pi is not a number of f64.
+    let cells = vec![[
+        Interval::new(0.0, 2.0 * f64::from(periods)),
+        Interval::new(-0.5 * turn, (0.5 * turn).above()),
+    ]];
+    if !OneOneEquations::describes(motion) {
+        let isolation = Isolation {
+            roots: Vec::new(),
+            undecided: cells,
+            decided: Vec::new(),
+        };
+        return OneOneSearch::new(periods, 0, isolation, &balance);
+    }
     let mut roots: Vec<ProvedRoot<f64, 2>> = Vec::new();
     if let Ok(middle) = motion.convert(|parameter| parameter.midpoint()) {
         for point in proposals::propose(&OneOneEquations::new(&middle, periods)) {
@@ -53,12 +68,6 @@ pub fn isolate_one_one(motion: &Motion<Interval<f64>>, periods: u32, options: &O
             roots.extend(new);
         }
     }
-    let turn = 2.0 * std::f64::consts::PI;
-    // Each psi in one turn, and the seam twice: pi is not a number of f64.
-    let cells = vec![[
-        Interval::new(0.0, 2.0 * f64::from(periods)),
-        Interval::new(-0.5 * turn, (0.5 * turn).above()),
-    ]];
     let limits = SearchLimits {
         finest: options.finest_cell,
         most_cells: options.most_cells as usize * periods as usize,

@@ -54,7 +54,7 @@ fn rates(dimensions: usize) -> Vec<f64> {
 /// residuals decrease.
 pub(crate) fn solve_word(system: &WordEquations<f64>, start: Vec<f64>) -> Option<Vec<f64>> {
     newton_sized(start, &ENDING, |phases: &Vec<f64>| {
-        let (residuals, rows) = system.linearised(phases)?;
+        let (residuals, rows) = system.linearised(phases);
         let step = solve(&rows, &residuals)?;
         // of the whole step, and beside the phases: where two impacts come together steps shrink slowly, by rounding in the end
         let size = largest(&step) / (1.0 + largest(phases));

@@ -1,6 +1,6 @@
 //! The search for periodic motions of any word: from many starts, each proved by itself.
 
-use crate::model::{Motion, MotionError};
+use crate::model::{Motion, MotionError, Side};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::apart;
@@ -31,15 +31,16 @@ pub struct WordOrbit {
 
 /// All periodic motions of `word` over `periods` forcing periods that Newton's method leads to from some
 /// [`word_starts`](OrbitOptions::word_starts) an impact and a period, over the whole of the phases and times that the word allows. Stable or not, admissible or
-/// not. The forcing is cos(pi t). The proof is for every motion within the intervals of `motion`, rounded to f64.
+/// not. The proof is for every motion within the intervals of `motion`, rounded to f64.
 ///
 /// **Completeness is not claimed**: a motion may attract none of the starts. What is found is certain: each is proved
 /// to exist, alone in a box, or says that it is not ([`WordOrbit::is_certified`]), as next to a fold, where two motions
 /// meet. Two motions are told apart by their boxes. Those of a shorter word (BT twice, for BTBT) are left out, and
-/// those whose velocities point away from a wall by more than rounding. The answer is the same each time.
+/// those whose velocities point away from a wall by more than rounding. The answer is the same each time. A word of twelve
+/// impacts takes some seconds; of the simulated cycles of 7 to 12 impacts of random devices every one was found.
 ///
 /// # Errors
-/// A parameter whose middle is out of its range.
+/// A parameter whose middle is out of its range; `NoTop` for a word with T of a motion with one wall.
 pub fn search_word<E: Endpoint>(
     word: &Word,
     periods: u32,
@@ -60,6 +61,9 @@ pub fn search_word_from<E: Endpoint>(
     periods: u32,
     motion: &Motion<Interval<E>>,
 ) -> Result<Vec<WordOrbit>, MotionError> {
+    if !motion.has_top() && word.sides().any(|side| side == Side::Top) {
+        return Err(MotionError::NoTop);
+    }
     let system = WordEquations {
         motion: motion.convert(around)?,
         word: word.spelled(),
