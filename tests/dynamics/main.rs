@@ -4,6 +4,7 @@
 mod common;
 
 mod basins;
+mod driven;
 mod many_digits;
 mod map;
 mod optimum;
