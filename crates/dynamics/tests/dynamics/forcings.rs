@@ -6,6 +6,7 @@ use dynamics::model::{Forcing, Motion, MotionError, Side};
 use dynamics::orbit::{
     BifurcationKind, BifurcationPoint, Cover, CoverError, Family, OneOneBranches, OrbitOptions, ParameterPlane,
     RoundedOrbit, SpecialPoint, SteadyState, Word, WordBranches, WordCurves, find, is_covered, isolate_one_one,
+    shoot_bifurcation,
 };
 use numbers::{Analytic, Interval, Sequence, Wide};
 use std::f64::consts::{PI, TAU};
@@ -327,6 +328,12 @@ fn bifurcations_under_harmonics_are_where_the_return_map_has_them() {
                 }
                 let excess = excess(&device.with_d(event.parameter), &event);
                 assert!(excess.abs() < 1e-9, "{excess:e} {event:?}");
+                let is_slow = event.velocities.contains(&0.0);
+                if !is_slow && event.kind != BifurcationKind::SymmetryBreaking {
+                    let again = shoot_bifurcation::<Digits>(&device.motion(), &event).map(|(d, _)| d.to_f64());
+                    let off = again.map(|d| d - event.parameter);
+                    assert!(off.as_ref().is_ok_and(|off| off.abs() < 1e-12), "{off:?} {event:?}");
+                }
                 *kinds.entry(event.kind).or_insert(0) += 1;
             }
         }
