@@ -11,6 +11,7 @@ use crate::orbit::continuation::test_functions::{TestFunctions, WALLS};
 use crate::orbit::curves::follow::CurvePoint;
 use crate::orbit::curves::special_points::SpecialPoint;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
+use crate::orbit::equations::duals::rows_by_duals;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::{Family, ParameterPlane};
 use crate::orbit::options::OrbitOptions;
@@ -18,8 +19,7 @@ use crate::orbit::parallel::each;
 use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::word::Word;
 use crate::orbit::word_branches::WordBranches;
-use num_dual::DualNum;
-use numbers::{Analytic, Dual, Interval, seeded};
+use numbers::{Analytic, Interval};
 use std::collections::VecDeque;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -76,21 +76,6 @@ impl<P: ParameterPlane> WordCurve<'_, P> {
     fn equations<T: Analytic>(&self, at: &[T]) -> Option<Vec<T>> {
         let (phases, rest) = at.split_at(self.word.impacts());
         conditioned(&self.at(rest)?, self.condition, phases, rest.last()?)
-    }
-
-    /// The values and their derivatives, row by row, by dual numbers: one pass for each unknown.
-    fn linearised_over<T: Analytic + DualNum>(&self, at: &[T]) -> Option<(Vec<T>, Vec<Vec<T>>)> {
-        let pass = |column: usize| {
-            let seeds = at.iter().enumerate().map(|(i, value)| match i == column {
-                true => seeded(value.clone()),
-                false => Dual::from_re(value.clone()),
-            });
-            self.equations(&seeds.collect::<Vec<_>>())
-        };
-        let passes: Vec<Vec<Dual<T>>> = (0..at.len()).map(pass).collect::<Option<_>>()?;
-        let values = passes.first()?.iter().map(|value| value.re.clone());
-        let row = |row: usize| passes.iter().map(|pass| pass[row].eps.clone()).collect();
-        Some((values.collect(), (0..at.len() - 1).map(row).collect()))
     }
 
     /// The coordinate along which a curve runs least: the parameter that is held where a point of it is proved.
@@ -189,7 +174,7 @@ impl<P: ParameterPlane> WordCurve<'_, P> {
 
 impl<P: ParameterPlane> CurveEquations for WordCurve<'_, P> {
     fn linearised(&self, point: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
-        self.linearised_over(point)
+        rows_by_duals(|at| self.equations(at), point)
     }
 
     fn values(&self, cell: &[Interval<f64>]) -> Option<Vec<Interval<f64>>> {
@@ -197,7 +182,7 @@ impl<P: ParameterPlane> CurveEquations for WordCurve<'_, P> {
     }
 
     fn slopes(&self, cell: &[Interval<f64>]) -> Option<Vec<Vec<Interval<f64>>>> {
-        Some(self.linearised_over(cell)?.1)
+        Some(rows_by_duals(|at| self.equations(at), cell)?.1)
     }
 }
 

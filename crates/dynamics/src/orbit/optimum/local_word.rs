@@ -4,6 +4,7 @@ use crate::model::{Motion, MotionError};
 use crate::orbit::continuation::test_functions::TestFunctions;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::optimum::design::{Choice, Devices};
+use crate::orbit::optimum::incumbent::climb;
 use crate::orbit::orbit::{Orbit, flight_jacobians};
 use crate::orbit::solve::starts::solve_word;
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
@@ -35,16 +36,8 @@ struct Candidate {
 const DRAWN: usize = 60;
 const STARTS: usize = 64;
 
-/// The devices that are improved, each by so many random steps.
+/// The devices that are improved.
 const CLIMBED: usize = 6;
-const STEPS: usize = 600;
-
-/// Steps as parts of the ranges: the first, and the last that is worth while; longer after one that succeeds, shorter after
-/// one that fails, so that one in five succeeds (Rechenberg, *Evolutionsstrategie*, 1973).
-const FIRST_STEP: f64 = 0.2;
-const LAST_STEP: f64 = 1e-10;
-const LONGER: f64 = 1.6;
-const SHORTER: f64 = 0.88;
 
 /// Slacks in f64 below this are left to the bounds: rounding could have made them.
 const LEAST_SLACK: f64 = 1e-9;
@@ -62,17 +55,17 @@ pub fn local_optimum(
     base: &Motion<f64>,
     word: &Word,
 ) -> Result<Option<ProvedWordDevice>, MotionError> {
-    let mut search = Search {
+    let search = Search {
         choice,
         base,
         word: word.spelled(),
         devices: choice.devices.convert(Interval::midpoint),
-        sequence: Sequence::new(49),
     };
+    let mut sequence = Sequence::new(49);
     let mut found = Vec::new();
     for _ in 0..DRAWN {
         let ranges = choice.ranges.each_ref().map(|range| range.hull());
-        let parameters = ranges.map(|hull| search.sequence.between(hull.low(), hull.high()));
+        let parameters = ranges.map(|hull| sequence.between(hull.low(), hull.high()));
         for periods in 1..=choice.max_periods {
             found.extend(search.at(parameters, periods)?);
         }
@@ -82,7 +75,12 @@ pub fn local_optimum(
     }
     found.sort_by(|one, other| other.rate.total_cmp(&one.rate));
     found.truncate(CLIMBED);
-    let mut climbed: Vec<Candidate> = found.into_iter().map(|start| search.climb(start)).collect();
+    let near = |parameters, best: &Candidate| search.near(parameters, best.periods, &best.phases);
+    let told = |candidate: &Candidate| (candidate.parameters, candidate.rate);
+    let climbed = found
+        .into_iter()
+        .map(|start| climb(&choice.ranges, &mut sequence, start, told, near));
+    let mut climbed: Vec<Candidate> = climbed.collect();
     climbed.sort_by(|one, other| other.rate.total_cmp(&one.rate));
     Ok(climbed.iter().find_map(|candidate| search.prove(candidate)))
 }
@@ -92,7 +90,6 @@ struct Search<'a> {
     base: &'a Motion<f64>,
     word: Word,
     devices: Devices<f64>,
-    sequence: Sequence,
 }
 
 impl Search<'_> {
@@ -158,30 +155,6 @@ impl Search<'_> {
             phases,
             rate,
         })
-    }
-
-    /// A device at least as good, by random steps from this one along which its motion is followed.
-    fn climb(&mut self, start: Candidate) -> Candidate {
-        let (mut best, mut step) = (start, FIRST_STEP);
-        for _ in 0..STEPS {
-            if step < LAST_STEP || !stop::goes_on() {
-                break;
-            }
-            let parameters = std::array::from_fn(|i| {
-                let range = &self.choice.ranges[i];
-                // the sum of three is near enough to a normal distribution
-                let parts: f64 = (0..3).map(|_| self.sequence.between(-1.0, 1.0)).sum();
-                best.parameters[i] + step * range.span() * parts
-            });
-            match self.near(parameters, best.periods, &best.phases) {
-                Some(better) if better.rate > best.rate => {
-                    best = better;
-                    step *= LONGER;
-                }
-                _ => step *= SHORTER,
-            }
-        }
-        best
     }
 
     /// Proves that there is this motion and that it is as asked; `None` where that cannot be decided, or is not so.
