@@ -584,7 +584,7 @@ mod tests {
             ("TBT", "\"BTT\""),
             ("bt", "only B (bottom) and T (top)"),
             ("", "as in BT or BTT"),
-            ("BTBTBTB", "at most 6"),
+            ("BTBTBTBTBTBTB", "at most 12"),
         ] {
             assert!(read_word(text).is_err_and(|allowed| allowed.contains(wanted)), "{text}");
         }

@@ -28,8 +28,8 @@ pub fn by_duals<T: Analytic + DualNum, const D: usize>(
     Some((values, slopes))
 }
 
-/// The values of any number of equations at a point, or over a box, and their derivatives, one row an equation; `None` where
-/// they have none.
+/// Computes the values of any number of equations at a point, or over a box, and their derivatives, one row an
+/// equation; `None` where they have none.
 pub fn rows_by_duals<T: Analytic + DualNum>(
     equations: impl Fn(&[Dual<T>]) -> Option<Vec<Dual<T>>>,
     at: &[T],

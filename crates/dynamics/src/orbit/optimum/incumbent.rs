@@ -112,8 +112,8 @@ impl<'a> LocalSearch<'a> {
     pub fn climb(&mut self, start: Candidate) -> Candidate {
         let mut sequence = self.sequence.clone();
         let near = |parameters, best: &Candidate| self.near(parameters, best.periods, best.at);
-        let told = |candidate: &Candidate| (candidate.parameters, candidate.rate);
-        let best = climb(&self.choice.ranges, &mut sequence, start, told, near);
+        let rated = |candidate: &Candidate| (candidate.parameters, candidate.rate);
+        let best = climb(&self.choice.ranges, &mut sequence, start, rated, near);
         self.sequence = sequence;
         best
     }
@@ -248,13 +248,13 @@ impl<'a> LocalSearch<'a> {
     }
 }
 
-/// A candidate at least as good, by random steps from this one: `told` gives the parameters and the rate of a candidate,
+/// Improves a candidate by random steps: `rated` gives the parameters and the rate of a candidate,
 /// `near` the candidate at parameters near those of another one.
 pub(crate) fn climb<C>(
     ranges: &[Range; 4],
     sequence: &mut Sequence,
     start: C,
-    told: impl Fn(&C) -> ([f64; 4], f64),
+    rated: impl Fn(&C) -> ([f64; 4], f64),
     near: impl Fn([f64; 4], &C) -> Option<C>,
 ) -> C {
     let (mut best, mut step) = (start, FIRST_STEP);
@@ -262,7 +262,7 @@ pub(crate) fn climb<C>(
         if step < LAST_STEP {
             break;
         }
-        let (here, rate) = told(&best);
+        let (here, rate) = rated(&best);
         let parameters = std::array::from_fn(|i| {
             let range = &ranges[i];
             if range.is_held() {
@@ -274,7 +274,7 @@ pub(crate) fn climb<C>(
             (here[i] + step * range.span() * parts).clamp(hull.low(), hull.high())
         });
         match near(parameters, &best) {
-            Some(better) if told(&better).1 > rate => {
+            Some(better) if rated(&better).1 > rate => {
                 best = better;
                 step *= LONGER;
             }

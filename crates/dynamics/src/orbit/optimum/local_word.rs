@@ -42,8 +42,8 @@ const CLIMBED: usize = 6;
 /// Slacks in f64 below this are left to the bounds: rounding could have made them.
 const LEAST_SLACK: f64 = 1e-9;
 
-/// The best device that a local search finds for stable and admissible motions of a word, by volts per forcing period, with
-/// its motion proved; `None` where it finds none, which proves nothing. `base` gives the forcing and the number of walls;
+/// Searches for the best device with stable and admissible motions of a word, by volts per forcing period, and proves
+/// its motion; `None` where it finds none, which proves nothing. `base` gives the forcing and the number of walls;
 /// its other parameters are those of the choice.
 ///
 /// **It is not claimed to be the best of the choice**: the search is local, from random devices, the same each time.
@@ -76,10 +76,10 @@ pub fn local_optimum(
     found.sort_by(|one, other| other.rate.total_cmp(&one.rate));
     found.truncate(CLIMBED);
     let near = |parameters, best: &Candidate| search.near(parameters, best.periods, &best.phases);
-    let told = |candidate: &Candidate| (candidate.parameters, candidate.rate);
+    let rated = |candidate: &Candidate| (candidate.parameters, candidate.rate);
     let climbed = found
         .into_iter()
-        .map(|start| climb(&choice.ranges, &mut sequence, start, told, near));
+        .map(|start| climb(&choice.ranges, &mut sequence, start, rated, near));
     let mut climbed: Vec<Candidate> = climbed.collect();
     climbed.sort_by(|one, other| other.rate.total_cmp(&one.rate));
     Ok(climbed.iter().find_map(|candidate| search.prove(candidate)))
@@ -93,7 +93,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The motions of a device, over the number of its parameters.
+    /// Returns the motion of a device, over the number of its parameters.
     fn motion<T: Analytic>(&self, devices: &Devices<T>, [first, second, r_b, r_t]: &[T; 4]) -> Option<Motion<T>> {
         let [d, g] = devices.capsule([first, second]);
         let motion = match self.base.has_top() {
@@ -109,12 +109,12 @@ impl Search<'_> {
         }
     }
 
-    /// The values that are nearest to these in their ranges.
+    /// Returns the values that are nearest to these in their ranges.
     fn nearest(&self, parameters: [f64; 4]) -> [Interval; 4] {
         std::array::from_fn(|i| self.choice.ranges[i].nearest(parameters[i]))
     }
 
-    /// The motions of a device that are as asked, of those that a search finds.
+    /// Searches for motions of a device that are as asked.
     ///
     /// # Errors
     /// Those of [`search_word_from`].
@@ -130,7 +130,7 @@ impl Search<'_> {
         Ok(found.iter().filter_map(near).collect())
     }
 
-    /// The motion of a device near known phases, if it is as asked.
+    /// Returns the motion of a device near known phases, if it is as asked.
     fn near(&self, parameters: [f64; 4], periods: u32, phases: &[f64]) -> Option<Candidate> {
         let parameters = self.nearest(parameters).map(|side| side.midpoint());
         let system = WordEquations {
@@ -192,7 +192,7 @@ impl Search<'_> {
     }
 }
 
-/// The sum of the voltages of all impacts for each forcing period.
+/// Returns the sum of the voltages of all impacts for each forcing period.
 fn rate<T: Analytic>(devices: &Devices<T>, first: &T, speeds: &[T], periods: u32) -> T {
     let unit = devices.unit(first);
     let voltages = speeds
