@@ -7,9 +7,12 @@ use super::rows::Rows;
 use super::shard::{Label, Shard};
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::number::Interval;
-use crate::orbit::{Active, Optimum, OptimumLimits, OptimumPart, OptimumProgress, SearchRecord, optimum_recorded};
+use crate::orbit::{
+    Active, Optimum, OptimumLimits, OptimumPart, OptimumProgress, ProvedWordDevice, SearchRecord, Word, local_optimum,
+    optimum_recorded,
+};
 use crate::report::{Cell, Table};
-use crate::scene::{BoxChoice, Over, Scene, Want};
+use crate::scene::{BoxChoice, LocalChoice, Over, Scene, Want};
 
 /// Find the device with the largest voltage in a box of parameters, with proof
 #[derive(Debug, clap::Args)]
@@ -91,6 +94,13 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         Unfinished::open(options, shard, label, &RECORD)
     });
     let asked = scene.choice()?;
+    if asked.local.is_some() {
+        if arguments.shard.is_some() || arguments.resume {
+            let usage = "--shard and --resume are of the proved search, for BT under one cosine; leave them out";
+            return Err(Failure::Usage(usage.to_owned()));
+        }
+        return Ok(arguments.complete.answer(table(&scene)?));
+    }
     let Some(unfinished) = unfinished.transpose()? else {
         let Ok(found) = search(&asked, limits, &mut ());
         let table = table_of(&asked, &found, limits)?;
@@ -206,7 +216,51 @@ pub(super) fn joined(parts: &[Vec<Vec<String>>]) -> Option<Table> {
 /// As [`Scene::choice`].
 pub fn table(scene: &Scene) -> Result<Table, Failure> {
     let asked = scene.choice()?;
-    table_of(&asked, &usual(&asked), USUAL)
+    match &asked.local {
+        Some(local) => local_table(&asked, local),
+        None => table_of(&asked, &usual(&asked), USUAL),
+    }
+}
+
+/// The best device that local searches find for words, or under a forcing, of which it is not proved that all were seen: a
+/// row of the voltage, without an upper bound, and one for each parameter.
+fn local_table(asked: &BoxChoice, local: &LocalChoice) -> Result<Table, Failure> {
+    let mut table = Table::new(COLUMNS);
+    let mut best: Option<(&Word, ProvedWordDevice)> = None;
+    for word in &local.words {
+        let found = local_optimum(&asked.choice, &local.base, word)?;
+        let is_better = |device: &ProvedWordDevice| {
+            let known = best.as_ref().map(|(_, known)| known.rate.midpoint());
+            known.is_none_or(|known| device.rate.midpoint() > known)
+        };
+        if let Some(device) = found.filter(is_better) {
+            best = Some((word, device));
+        }
+    }
+    let Some((word, device)) = best else {
+        note("local searches found no such motion, which proves nothing");
+        return Ok(table);
+    };
+    note(&format!(
+        "the best device that local searches find, with a motion {word} that is proved; there may be better ones"
+    ));
+    let row = |name: &str, value: &Interval, high: Cell| {
+        let mut row = vec![
+            Cell::from(name),
+            Cell::from(value.low()),
+            high,
+            Cell::from(value.midpoint()),
+        ];
+        row.resize(COLUMNS.len(), Cell::Empty);
+        row
+    };
+    let mut objective = row("voltage_rate", &device.rate, Cell::Empty);
+    objective[COLUMNS.len() - 2] = Cell::from(false);
+    table.push(objective)?;
+    for (over, value) in asked.parameters.iter().zip(&device.parameters) {
+        table.push(row(over.name(), value, Cell::from(value.high())))?;
+    }
+    Ok(table)
 }
 
 /// The best device, to the usual gap.

@@ -5,7 +5,7 @@ use crate::model::Membrane;
 use crate::number::{Decimals, Field, Interval, Rung, Telling, Told, Wide};
 use crate::orbit::{
     EnclosedVoltage, Family, Fixed, OneOneBranches, OrbitVoltages, Output, OutputPrecision, RoundedOrbit,
-    VoltageEndpoint, Word, confirm_orbit, find_as,
+    VoltageEndpoint, Word, confirm_orbit, find_as, is_covered,
 };
 use crate::report::{Cell, Table};
 use crate::scene::{Quantity, Scene, Setting};
@@ -93,8 +93,11 @@ fn found<W: Output>(
     max_periods: u32,
     wanted: &W,
 ) -> Result<Vec<Vec<RoundedOrbit<W::Number>>>, Failure> {
-    let ends = values.first().zip(values.last()).filter(|_| *word == Word::pair());
-    let Some((from, to)) = ends else {
+    let is_of_pairs =
+        |value: &Quantity| Ok::<_, Failure>(is_covered(&setting.motion_at(&value.value::<Interval>())?, word));
+    let ends = values.first().zip(values.last());
+    let is_followed = ends.map(|(from, _)| is_of_pairs(from)).transpose()?;
+    let Some((from, to)) = ends.filter(|_| is_followed == Some(true)) else {
         let at = |value| Ok(find_as(wanted, &setting.fixed(value), word, max_periods)?.orbits);
         return values.iter().map(at).collect();
     };

@@ -207,8 +207,8 @@ fn plastic_impacts_rest_at_once() {
 fn what_does_not_go_together_is_refused_with_the_key() {
     for (arguments, wanted) in [
         (
-            &["optimise", "examples/optimum.toml", "--set", "forcing.cosines=[1, 0.2]"][..],
-            "forcing.cosines",
+            &["optimise", "examples/optimum.toml", "--set", "motion.walls=bottom"][..],
+            "motion.walls",
         ),
         (
             &[

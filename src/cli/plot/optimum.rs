@@ -15,6 +15,10 @@ const POINTS: usize = 41;
 /// A panel for each two of the parameters that have a range; of one alone, a line.
 pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Failure> {
     let asked = scene.choice()?;
+    if asked.local.is_some() {
+        let usage = "the box is drawn for BT under the forcing of the paper; `optimise` finds devices of other motions";
+        return Err(Failure::Usage(usage.to_owned()));
+    }
     let found = optimise::usual(&asked);
     let ranges = &asked.choice.ranges;
     let free: Vec<usize> = (0..ranges.len()).filter(|&i| !ranges[i].is_held()).collect();

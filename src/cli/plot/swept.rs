@@ -4,7 +4,7 @@ use super::super::{Failure, note};
 use super::claims::{Claims, Column};
 use crate::model::Side;
 use crate::number::Interval;
-use crate::orbit::{FoundOrbits, OneOneBranches, RoundedOrbit, Word, WordBranches};
+use crate::orbit::{Family, FoundOrbits, OneOneBranches, RoundedOrbit, WordBranches, is_covered};
 use crate::report::figure::{Bifurcation, Course, Diagram, Energy, Impact, Parameter, Quantity, Step};
 use crate::report::plot::{Panel, Point};
 use crate::scene::{Quantity as Value, Scene, Want};
@@ -107,7 +107,8 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                 1 => word.to_string(),
                 _ => format!("{word} {periods}T"),
             };
-            let found: Vec<FoundOrbits> = if word == Word::pair() {
+            let first = setting.motion_at(&Interval::<f64>::point(low))?;
+            let found: Vec<FoundOrbits> = if is_covered(&first, &word) {
                 let prepared = OneOneBranches::new(&setting, periods, from.hull(&to), &scene.options()?)?;
                 let (events, open) = prepared.bifurcations();
                 open.iter().for_each(|open| note(&format!("{}: {open}", scene.name())));

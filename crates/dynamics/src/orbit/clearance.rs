@@ -18,11 +18,11 @@ pub struct OrbitFlight<E: Endpoint> {
 pub(crate) struct Pieces<E> {
     /// In order, without the start and the end.
     pub times: Vec<E>,
-    /// False where a piece as small as pieces get could not be decided.
+    /// True if every piece could be decided; one that could not is as small as pieces get.
     pub are_decided: bool,
 }
 
-/// Pieces of this part of a flight are not halved.
+/// The part of a flight below which pieces are not halved.
 const FINEST_PIECE: f64 = 1e-9;
 
 /// More halvings than any number of use has bits.
@@ -77,7 +77,7 @@ impl<E: Endpoint> OrbitFlight<E> {
         Ok(clearance)
     }
 
-    /// The sign of the velocity just after the start: after a plastic impact, where it is 0, that of f + g.
+    /// Decides the sign of the velocity just after the start: after a plastic impact, where it is 0, that of f + g.
     fn sign_at_start(&self) -> Result<bool, Inconclusive> {
         if self.flight.launch.magnitude() == E::zero() {
             return sign(&self.flight.acceleration(&Interval::from_integer(0)));
@@ -85,7 +85,7 @@ impl<E: Endpoint> OrbitFlight<E> {
         sign(&self.flight.launch)
     }
 
-    /// The flight in pieces on each of which the velocity is monotone or not 0.
+    /// Parts the flight into pieces on each of which the velocity is monotone or not 0.
     pub(crate) fn pieces(&self) -> Pieces<E> {
         let mut pieces = Pieces {
             times: Vec::new(),
@@ -109,8 +109,8 @@ impl<E: Endpoint> OrbitFlight<E> {
         pieces
     }
 
-    /// Returns true if the velocity is not 0 over a piece of the flight, or monotone: from its values, and from the mean
-    /// value theorem.
+    /// Returns true if the velocity is not 0 over a piece of the flight, or monotone: from its values, and from the
+    /// mean value theorem.
     fn is_simple(&self, piece: &Interval<E>) -> bool {
         let slope = self.flight.acceleration(piece);
         let middle = Interval::point(piece.midpoint());
@@ -118,7 +118,7 @@ impl<E: Endpoint> OrbitFlight<E> {
         !slope.contains_zero() || !velocity().contains_zero()
     }
 
-    /// A time near the middle of a piece, if there is one at which the velocity has a sign.
+    /// Returns a time near the middle of a piece, if there is one at which the velocity has a sign.
     fn parting(&self, piece: &Interval<E>) -> E {
         let at = |part: i64| {
             let ahead = (Interval::point(piece.high()) - Interval::point(piece.low())) * Interval::from_ratio(part, 16);
@@ -240,8 +240,8 @@ impl<E: Endpoint> OrbitFlight<E> {
         };
     }
 
-    /// The distance from the nearer wall, or the only one, at the turning point within `turn`, by the mean value theorem: the
-    /// position changes little where the velocity is 0.
+    /// The distance from the nearer wall, or the only one, at the turning point within `turn`, by the mean value
+    /// theorem: the position changes little where the velocity is 0.
     fn distance(&self, turn: &Interval<E>) -> Interval<E> {
         let middle = Interval::point(turn.midpoint());
         let moved = self.flight.velocity(turn) * (turn.clone() - middle.clone());

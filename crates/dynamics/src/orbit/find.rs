@@ -21,7 +21,7 @@ pub struct FoundOrbits<N = f64> {
     pub orbits: Vec<RoundedOrbit<N>>,
     /// What could not be decided.
     pub open: Vec<OpenOrbit>,
-    /// True where all that is not in `open` was covered by proof.
+    /// True if it is proved that nothing is missing but what `open` says.
     is_covered: bool,
 }
 
@@ -94,8 +94,8 @@ pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Resu
 /// All motions of `word` over 1 to `max_periods` periods, told as they are wanted: [`Doubles`](numbers::Doubles)
 /// or [`Decimals`](numbers::Decimals).
 ///
-/// For BT between two walls under the forcing cos(pi t) every one is found, by proof, unless `open` has a box; for other
-/// words and motions those that many starts lead to.
+/// For BT between two walls under the forcing cos(pi t) every one is found, by proof, unless `open` has a box; for
+/// other words and motions those that many starts lead to.
 ///
 /// # Errors
 /// A parameter out of its range.
@@ -121,8 +121,8 @@ pub fn find_as<W: Output>(
     Ok(found)
 }
 
-/// Returns true if all motions of a word are found, by proof: 1-1 motions between two walls under the forcing cos(pi t).
-/// They are followed by [`OneOneBranches`](crate::orbit::OneOneBranches), others by
+/// Returns true if all motions of a word are found, by proof: 1-1 motions between two walls under the forcing cos(pi
+/// t). They are followed by [`OneOneBranches`](crate::orbit::OneOneBranches), others by
 /// [`WordBranches`](crate::orbit::WordBranches).
 pub fn is_covered<T: Analytic>(motion: &Motion<T>, word: &Word) -> bool {
     *word == Word::pair() && OneOneEquations::describes(motion)
@@ -185,12 +185,12 @@ impl<N: Told> FoundOrbits<N> {
         }
     }
 
-    /// Whether all that is not open was covered by proof.
+    /// Returns true if all that is not open was covered by proof.
     pub fn is_covered(&self) -> bool {
         self.is_covered
     }
 
-    /// Motions found elsewhere; nothing is known of others.
+    /// Makes a list of motions found elsewhere; nothing is known of others.
     pub fn from_orbits(orbits: Vec<RoundedOrbit<N>>) -> Self {
         Self {
             orbits,

@@ -66,6 +66,7 @@ pub use long_run::steady_state::{Settling, SteadyState};
 pub use one_one_branches::{OneOneBranches, OpenBifurcation};
 pub use optimum::design::{Choice, Devices, Gap, Pull, Range, Unit};
 pub use optimum::incumbent::ProvedDevice;
+pub use optimum::local_word::{ProvedWordDevice, local_optimum};
 pub use optimum::record::{SearchBatch, SearchOutcomes, SearchRecord};
 pub use optimum::search::{Optimum, OptimumLimits, OptimumPart, OptimumProgress, optimum, optimum_recorded};
 pub use optimum::supremum::Active;

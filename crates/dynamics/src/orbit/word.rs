@@ -101,7 +101,7 @@ impl Word {
         (1..self.impacts()).filter(|shift| self.rotated(*shift) == *self)
     }
 
-    /// The word gone through twice; `None` where that has more impacts than a word may have.
+    /// Returns the word gone through twice; `None` where that has more impacts than a word may have.
     pub fn twice(&self) -> Option<Self> {
         (2 * self.impacts() <= Self::LONGEST).then(|| Self(self.0.iter().chain(&self.0).copied().collect()))
     }

@@ -23,10 +23,12 @@ use std::f64::consts::{PI, TAU};
 /// A motion found there is known to this, in radians.
 const ROOM: f64 = 1e-9;
 
-/// How far along the kernel of the equations, in radians, a branch that parts from another one is looked for.
+/// Distances along the kernel of the equations, in radians, at which a branch that parts from another one is looked
+/// for.
 const PARTINGS: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
 
-/// The direction that a matrix of rank one less than its size takes to 0: the right singular vector of the least value.
+/// Returns the direction that a matrix of rank one less than its size takes to 0: the right singular vector of the
+/// least value.
 fn kernel(rows: &[Vec<f64>]) -> Option<Vec<f64>> {
     let matrix = DMatrix::from_fn(rows.len(), rows.len(), |row, column| rows[row][column]);
     let svd = matrix.try_svd(false, true, f64::EPSILON, MOST_ITERATIONS)?;
@@ -94,10 +96,10 @@ impl<F: Family + Sync> WordBranches<F> {
         Ok(Self { extended, branches })
     }
 
-    /// The branch that starts at a bifurcation of the motions of `family`: at a period doubling that of the doubled word,
-    /// over twice the periods, and where a symmetry breaks that of the motions without it. It is followed as any other, and
-    /// ends in, or goes through, the bifurcation. `None` at any other bifurcation, where the doubled word would have more
-    /// than [`Word::LONGEST`] impacts, and where Newton's method finds no such branch.
+    /// Follows the branch that starts at a bifurcation of the motions of `family`: at a period doubling that of the
+    /// doubled word, over twice the periods, and where a symmetry breaks that of the motions without it. It is followed
+    /// as any other, and ends in, or goes through, the bifurcation. `None` at any other bifurcation, where the doubled
+    /// word would have more than [`Word::LONGEST`] impacts, and where Newton's method finds no such branch.
     pub fn switched(family: F, point: &BifurcationPoint, range: Interval<f64>, options: &OrbitOptions) -> Option<Self> {
         let (listed, mut phases) = point.listed()?;
         let repeats = listed.half().is_some() && point.trace > 0.0;

@@ -3,9 +3,10 @@
 use super::document::Value;
 use super::error::SceneError;
 use super::key::{self, Key, allowed_number};
+use super::setting::driven;
 use super::{Over, Quantity, Scene};
-use dynamics::model::DeviceError;
-use dynamics::orbit::{Choice, Devices, Gap, Pull, Range, Unit};
+use dynamics::model::{DeviceError, Motion};
+use dynamics::orbit::{Choice, Devices, Gap, Pull, Range, Unit, Word};
 use numbers::{Analytic, Interval};
 use std::cmp::Ordering;
 
@@ -16,6 +17,17 @@ pub struct BoxChoice {
     pub parameters: [Over; 4],
     /// What is asked.
     pub choice: Choice,
+    /// Of what motions, where these are not BT under the forcing of the paper, all of which can be excluded by proof.
+    pub local: Option<LocalChoice>,
+}
+
+/// Motions of which good devices are looked for from many starts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalChoice {
+    /// Their words.
+    pub words: Vec<Word>,
+    /// A motion under the forcing; its numbers are those of the choice.
+    pub base: Motion<f64>,
 }
 
 /// The search for the best device divides by restitutions.
@@ -143,7 +155,11 @@ impl Scene {
             Some(_) => number(key),
             None => Ok(Interval::point(0.0)),
         };
+        let words = self.words()?;
+        let base = self.local_base()?;
+        let is_local = !words.contains(&Word::pair()) || base.other_forcing().is_some();
         Ok(BoxChoice {
+            local: is_local.then_some(LocalChoice { words, base }),
             parameters,
             choice: Choice {
                 devices: Devices {
@@ -158,6 +174,16 @@ impl Scene {
                 clearance: or_nothing(&key::BOX_CLEARANCE)?,
             },
         })
+    }
+}
+
+impl Scene {
+    /// A motion under the forcing of the scene; its numbers are those of the choice.
+    fn local_base(&self) -> Result<Motion<f64>, SceneError> {
+        let half = 0.5;
+        let harmonics = self.harmonics()?.map(|harmonics| harmonics.over_number());
+        let motion = Motion::new(0.0, half, half, half).and_then(|motion| driven(motion, harmonics));
+        motion.map_err(|error| self.error(None, error))
     }
 }
 

@@ -40,7 +40,7 @@ mod want;
 
 pub use basins::{BasinPoint, BasinPoints, ReachedAttractor, ReachedAttractors};
 pub use builtin::{BUILT_IN, built_in, find};
-pub use choice::BoxChoice;
+pub use choice::{BoxChoice, LocalChoice};
 pub use error::{Origin, SceneError, SceneProblem};
 pub use following::{MeanOver, Means};
 pub use key::{MOST_DIGITS, has_key, path_of_key};

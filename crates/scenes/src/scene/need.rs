@@ -224,7 +224,7 @@ impl Scene {
                     required.push(&key::BOX_D);
                 }
                 optional.extend(Over::ALL.into_iter().filter_map(Over::box_key));
-                optional.extend([&key::MAX_PERIODS, &key::BOX_MARGIN, &key::BOX_CLEARANCE]);
+                optional.extend([&key::WORDS, &key::MAX_PERIODS, &key::BOX_MARGIN, &key::BOX_CLEARANCE]);
                 required.extend(MEMBRANE);
                 let is_free = |over: Over| swept.contains(&over);
                 required.extend(
@@ -319,7 +319,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Refuses what is known of two walls under one cosine alone, and a parameter that one wall does not have.
+    /// Refuses what is known of two walls alone, and a parameter that one wall does not have.
     fn refuse_other_motions(&self, want: Want) -> Result<(), SceneError> {
         if want == Want::Voltage {
             return Ok(());
@@ -341,14 +341,13 @@ impl Scene {
         if want != Want::Optimum {
             return Ok(());
         }
-        for key in MOTION_OPTIONS {
-            let Some(entry) = self.document.get(key) else { continue };
-            if *key != key::WALLS || !self.has_top()? {
-                let allowed = format!("left out: {want} is of two walls under one cosine");
-                return Err(self.wrong(key, entry, allowed));
+        match self.document.get(&key::WALLS) {
+            Some(entry) if !self.has_top()? => {
+                let allowed = format!("both: {want} is of two walls");
+                Err(self.wrong(&key::WALLS, entry, allowed))
             }
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// Refuses a scene that lacks keys of a want, by all of these.

@@ -663,7 +663,7 @@ mod tests {
             ("TBT", "\"BTT\""),
             ("bt", "only B (bottom) and T (top)"),
             ("", "as in BT or BTT"),
-            ("BTBTBTBTBTBTB", "at most"),
+            ("BTBTBTBTBTBTB", "at most 12"),
         ] {
             assert!(read_word(text).is_err_and(|allowed| allowed.contains(wanted)), "{text}");
         }

@@ -52,7 +52,8 @@ pub struct BifurcationPoint<N = f64> {
 }
 
 impl BifurcationPoint {
-    /// The word in the spelling that all its rotations share, and the phases of its impacts, which increase along it.
+    /// Returns the word in the spelling that all its rotations share, and the phases of its impacts, which increase
+    /// along it.
     pub(crate) fn listed(&self) -> Option<(Word, Vec<f64>)> {
         let later = self.times.iter().scan(*self.phases.first()?, |phase, time| {
             let here = *phase;

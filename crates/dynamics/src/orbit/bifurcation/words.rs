@@ -63,7 +63,7 @@ fn padded<const D: usize>(point: &[f64]) -> [f64; D] {
     std::array::from_fn(|i| point.get(i).copied().unwrap_or(0.0))
 }
 
-/// The left sides of the equations of a word and of a condition, a touch a time `after` into its flight.
+/// Evaluates the left sides of the equations of a word and of a condition, a touch a time `after` into its flight.
 pub(crate) fn conditioned<T: Analytic>(
     system: &WordEquations<T>,
     condition: BifurcationCondition,

@@ -7,7 +7,7 @@ use crate::orbit::continuation::extended_system::parameter_at;
 use crate::orbit::continuation::test_functions::{TestFunctions, WALLS, crossings};
 use crate::orbit::curves::coefficient::{breaking_coefficient, doubling_coefficient};
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
-use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
+use crate::orbit::equations::duals::{Linearised, by_duals, rows_by_duals, unknown};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::equations::one_one_bifurcations::condition_excess;
 use crate::orbit::equations::square_system::SquareSystem;
@@ -20,7 +20,7 @@ use crate::orbit::solve::krawczyk::{ProvedRoot, prove};
 use crate::orbit::solve::newton::{Ending, newton_by_duals};
 use crate::orbit::word::Word;
 use num_dual::DualNum;
-use numbers::{Analytic, Dual, Interval, seeded};
+use numbers::{Analytic, Dual, Interval};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -261,29 +261,9 @@ impl<P: ParameterPlane> SquareSystem<f64, UNKNOWNS> for CurveSystem<'_, P> {
     }
 }
 
-/// The derivatives by each unknown, row by row.
-fn slopes<T: Analytic + DualNum>(curve: &CurveSystem<'_, impl ParameterPlane>, at: &[T]) -> Option<Vec<Vec<Dual<T>>>> {
-    let pass = |column: usize| {
-        let seeds = at.iter().enumerate().map(|(i, value)| {
-            if i == column {
-                seeded(value.clone())
-            } else {
-                Dual::from_re(value.clone())
-            }
-        });
-        curve.equations(&seeds.collect::<Vec<_>>())
-    };
-    let passes: Vec<Vec<Dual<T>>> = (0..at.len()).map(pass).collect::<Option<_>>()?;
-    let row = |row: usize| passes.iter().map(|pass| pass[row].clone()).collect();
-    Some((0..passes[0].len()).map(row).collect())
-}
-
 impl<P: ParameterPlane> CurveEquations for CurveSystem<'_, P> {
     fn linearised(&self, point: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
-        let rows = slopes(self, point)?;
-        let values = rows.iter().map(|row| row[0].re).collect();
-        let slopes = rows.iter().map(|row| row.iter().map(|entry| entry.eps).collect());
-        Some((values, slopes.collect()))
+        rows_by_duals(|at| self.equations(at), point)
     }
 
     fn values(&self, cell: &[Interval<f64>]) -> Option<Vec<Interval<f64>>> {
@@ -291,11 +271,7 @@ impl<P: ParameterPlane> CurveEquations for CurveSystem<'_, P> {
     }
 
     fn slopes(&self, cell: &[Interval<f64>]) -> Option<Vec<Vec<Interval<f64>>>> {
-        let rows = slopes(self, cell)?.into_iter();
-        Some(
-            rows.map(|row| row.into_iter().map(|entry| entry.eps).collect())
-                .collect(),
-        )
+        Some(rows_by_duals(|at| self.equations(at), cell)?.1)
     }
 }
 

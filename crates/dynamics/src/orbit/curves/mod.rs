@@ -1,5 +1,5 @@
-//! Curves of bifurcations over two parameters, followed with every step proved: of 1-1 motions, with their special points
-//! located, and of motions of any word.
+//! Curves of bifurcations over two parameters, followed with every step proved: of 1-1 motions, with their special
+//! points located, and of motions of any word.
 
 pub(crate) mod coefficient;
 pub(crate) mod curve_system;

@@ -1,4 +1,5 @@
-//! Curves of bifurcations of motions of any word over two parameters, from bifurcations on lines across their rectangle.
+//! Curves of bifurcations of motions of any word over two parameters, from bifurcations on lines across their
+//! rectangle.
 
 use crate::model::{Motion, MotionError, Side};
 use crate::orbit::bifurcation::point::BifurcationPoint;
@@ -11,6 +12,7 @@ use crate::orbit::continuation::test_functions::{TestFunctions, WALLS};
 use crate::orbit::curves::follow::CurvePoint;
 use crate::orbit::curves::special_points::SpecialPoint;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
+use crate::orbit::equations::duals::rows_by_duals;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::{Family, ParameterPlane};
 use crate::orbit::options::OrbitOptions;
@@ -18,8 +20,7 @@ use crate::orbit::parallel::each;
 use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::word::Word;
 use crate::orbit::word_branches::WordBranches;
-use num_dual::DualNum;
-use numbers::{Analytic, Dual, Interval, seeded};
+use numbers::{Analytic, Interval};
 use std::collections::VecDeque;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -78,29 +79,14 @@ impl<P: ParameterPlane> WordCurve<'_, P> {
         conditioned(&self.at(rest)?, self.condition, phases, rest.last()?)
     }
 
-    /// The values and their derivatives, row by row, by dual numbers: one pass for each unknown.
-    fn linearised_over<T: Analytic + DualNum>(&self, at: &[T]) -> Option<(Vec<T>, Vec<Vec<T>>)> {
-        let pass = |column: usize| {
-            let seeds = at.iter().enumerate().map(|(i, value)| match i == column {
-                true => seeded(value.clone()),
-                false => Dual::from_re(value.clone()),
-            });
-            self.equations(&seeds.collect::<Vec<_>>())
-        };
-        let passes: Vec<Vec<Dual<T>>> = (0..at.len()).map(pass).collect::<Option<_>>()?;
-        let values = passes.first()?.iter().map(|value| value.re.clone());
-        let row = |row: usize| passes.iter().map(|pass| pass[row].eps.clone()).collect();
-        Some((values.collect(), (0..at.len() - 1).map(row).collect()))
-    }
-
-    /// The coordinate along which a curve runs least: the parameter that is held where a point of it is proved.
+    /// Returns the coordinate along which a curve runs least: the parameter that is held where a point of it is proved.
     fn held(&self, node: &BranchPoint) -> usize {
         let [x, y] = [0, 1].map(|i| node.tangent[self.word.impacts() + i].abs());
         usize::from(y > x)
     }
 
-    /// The bifurcation at a node, proved with one of the parameters held; and the box in which it is, if it is proved, in
-    /// the coordinates of the curve.
+    /// Locates the bifurcation at a node, proved with one of the parameters held; and the box in which it is, if it is
+    /// proved, in the coordinates of the curve.
     fn located(&self, node: &BranchPoint) -> Option<(CurvePoint, Option<Vec<Interval<f64>>>)> {
         let count = self.word.impacts();
         let ranges = self.plane.ranges();
@@ -146,7 +132,7 @@ impl<P: ParameterPlane> WordCurve<'_, P> {
         Some((point, cell))
     }
 
-    /// The points of a branch, in order.
+    /// Returns the points of a branch, in order.
     fn points(&self, branch: &Branch) -> Vec<CurvePoint> {
         let last = branch.nodes.len() - 1;
         let mut points: Vec<CurvePoint> = Vec::new();
@@ -189,7 +175,7 @@ impl<P: ParameterPlane> WordCurve<'_, P> {
 
 impl<P: ParameterPlane> CurveEquations for WordCurve<'_, P> {
     fn linearised(&self, point: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
-        self.linearised_over(point)
+        rows_by_duals(|at| self.equations(at), point)
     }
 
     fn values(&self, cell: &[Interval<f64>]) -> Option<Vec<Interval<f64>>> {
@@ -197,7 +183,7 @@ impl<P: ParameterPlane> CurveEquations for WordCurve<'_, P> {
     }
 
     fn slopes(&self, cell: &[Interval<f64>]) -> Option<Vec<Vec<Interval<f64>>>> {
-        Some(self.linearised_over(cell)?.1)
+        Some(rows_by_duals(|at| self.equations(at), cell)?.1)
     }
 }
 
@@ -256,14 +242,14 @@ struct Start {
     found: CurvePoint,
 }
 
-/// The curves of folds, period doublings and grazings of motions of a word that take so many periods, one after the other,
-/// computed as they are asked for.
+/// The curves of folds, period doublings and grazings of motions of a word that take so many periods, one after the
+/// other, computed as they are asked for.
 ///
 /// Along lines across the rectangle, its sides among them, the branches that a search leads to are followed
-/// ([`WordBranches`]); each bifurcation on them is followed over both parameters to where its curve ends, if it lies on no
-/// curve that is known. Each point is proved by itself, with one of the parameters held, and from each to the next it is
-/// proved that one curve leads there. Special points between the steps are not looked for. **Completeness is not claimed**:
-/// a branch on a line may be missed, and a closed curve between the lines is not seen.
+/// ([`WordBranches`]); each bifurcation on them is followed over both parameters to where its curve ends, if it lies on
+/// no curve that is known. Each point is proved by itself, with one of the parameters held, and from each to the next
+/// it is proved that one curve leads there. Special points between the steps are not looked for. **Completeness is not
+/// claimed**: a branch on a line may be missed, and a closed curve between the lines is not seen.
 pub struct WordCurves<P> {
     plane: P,
     word: Word,
@@ -305,7 +291,7 @@ impl<P: ParameterPlane> WordCurves<P> {
         Ok(curves)
     }
 
-    /// The point of a curve that a bifurcation is, for those of the word itself whose curves are followed.
+    /// Returns the point of a curve that a bifurcation is, for those of the word itself whose curves are followed.
     fn start(&self, event: BifurcationPoint, held: usize, value: f64) -> Option<Start> {
         let (word, mut point) = event.listed()?;
         let is_twice = event.kind == BifurcationKind::PeriodDoubling && event.trace > 0.0;
@@ -382,7 +368,7 @@ impl<P: ParameterPlane> WordCurves<P> {
     }
 }
 
-/// The flight, the wall and the time of the turning point that is nearest to a wall.
+/// Returns the flight, the wall and the time of the turning point that is nearest to a wall.
 fn nearest_touch(functions: &TestFunctions) -> Option<(usize, Side, f64)> {
     let flights = (0..functions.times.len()).flat_map(|flight| WALLS.map(|wall| (flight, wall)));
     let touches = flights.filter_map(|(flight, wall)| {

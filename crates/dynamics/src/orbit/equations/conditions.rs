@@ -85,8 +85,8 @@ impl BifurcationCondition {
     }
 
     /// (Tr(DP) - its value where the condition holds) times the velocities of all impacts, which has no pole; 0 for a
-    /// condition that is not on a multiplier, and for one on a node and a focus after a plastic impact, where no motion is a
-    /// focus.
+    /// condition that is not on a multiplier, and for one on a node and a focus after a plastic impact, where no motion
+    /// is a focus.
     pub fn multiplier_excess<T: Analytic>(self, jacobians: &[FlightJacobian<T>]) -> T {
         let loss = loss_factor(jacobians);
         let Some(level) = self.trace(&loss) else {

@@ -28,6 +28,26 @@ pub fn by_duals<T: Analytic + DualNum, const D: usize>(
     Some((values, slopes))
 }
 
+/// Computes the values of any number of equations at a point, or over a box, and their derivatives, one row an
+/// equation; `None` where they have none.
+pub fn rows_by_duals<T: Analytic + DualNum>(
+    equations: impl Fn(&[Dual<T>]) -> Option<Vec<Dual<T>>>,
+    at: &[T],
+) -> Option<(Vec<T>, Vec<Vec<T>>)> {
+    let pass = |column: usize| {
+        let seeds = at.iter().enumerate().map(|(i, value)| match i == column {
+            true => seeded(value.clone()),
+            false => Dual::from_re(value.clone()),
+        });
+        equations(&seeds.collect::<Vec<_>>())
+    };
+    let passes: Vec<Vec<Dual<T>>> = (0..at.len()).map(pass).collect::<Option<_>>()?;
+    let values: Vec<T> = passes.first()?.iter().map(|value| value.re.clone()).collect();
+    let row = |row: usize| passes.iter().map(|pass| pass[row].eps.clone()).collect();
+    let rows = (0..values.len()).map(row).collect();
+    Some((values, rows))
+}
+
 /// Where the equations have no value, as where a parameter is out of its range: nothing is known.
 pub fn unknown<E: Endpoint, const D: usize>() -> Linearised<Interval<E>, D> {
     let whole = || std::array::from_fn(|_| Interval::whole());

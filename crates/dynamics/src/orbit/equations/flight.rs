@@ -26,7 +26,8 @@ pub(crate) struct ScaledForcing<T> {
 }
 
 impl<T: Analytic> ScaledForcing<T> {
-    /// The forcing at a phase: cos(phase), or another one of period 2, whose harmonic n turns with n times the phase.
+    /// Evaluates the forcing at a phase: cos(phase), or another one of period 2, whose harmonic n turns with n times
+    /// the phase.
     pub fn new(other: Option<&Forcing<T>>, phase: &T) -> Self {
         let Some(forcing) = other else {
             let (sin, cos) = phase.sincos();
@@ -49,7 +50,7 @@ impl<T: Analytic> ScaledForcing<T> {
     }
 }
 
-/// f + g at a phase.
+/// Returns f + g at a phase.
 pub(crate) fn push<T: Analytic>(motion: &Motion<T>, phase: &T) -> T {
     ScaledForcing::new(motion.other_forcing(), phase).f + motion.g().clone()
 }
@@ -67,11 +68,11 @@ pub struct LaunchedFlight<T> {
     pub g: T,
     /// The gap.
     pub d: T,
-    /// False where there is the bottom alone.
+    /// True if there is a wall at the top.
     has_top: bool,
     /// pi F_1 and -pi^2 F_2 at the start.
     start: (T, T),
-    /// Where it is not cos(phase).
+    /// The forcing, if it is not cos(phase).
     forcing: Option<Arc<Forcing<T>>>,
 }
 
@@ -107,7 +108,7 @@ impl<T: Analytic> LaunchedFlight<T> {
         }
     }
 
-    /// The forcing where it is not cos(phase).
+    /// Returns the forcing, if it is not cos(phase).
     pub fn other_forcing(&self) -> Option<&Forcing<T>> {
         self.forcing.as_deref()
     }
@@ -117,7 +118,7 @@ impl<T: Analytic> LaunchedFlight<T> {
         self.has_top
     }
 
-    /// The same flight over another number.
+    /// Converts the flight to another number.
     pub(crate) fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> LaunchedFlight<U> {
         LaunchedFlight {
             side: self.side,
@@ -206,14 +207,14 @@ impl<T: Analytic> FlightBoundaryValues<T> {
         BoundaryTerms::new(motion, map, start, end).slopes()
     }
 
-    /// The flight and its derivatives.
+    /// Computes the flight and its derivatives.
     pub fn linearised(motion: &Motion<T>, map: Map, start: &T, end: &T) -> (Self, FlightBoundaryDerivatives<T>) {
         let terms = BoundaryTerms::new(motion, map, start, end);
         (terms.values(), terms.slopes())
     }
 }
 
-/// What values and derivatives of a flight between two phases share.
+/// Terms that the values and the derivatives of a flight between two phases share.
 struct BoundaryTerms<T> {
     time: T,
     g: T,

@@ -3,7 +3,7 @@
 use crate::model::Motion;
 use crate::orbit::clearance::{OrbitFlight, least};
 use crate::orbit::equations::one_one::OneOneEquations;
-use crate::orbit::optimum::design::{Choice, Devices};
+use crate::orbit::optimum::design::{Choice, Devices, Range};
 use crate::orbit::optimum::explicit::ExplicitOneOne;
 use crate::orbit::orbit::Orbit;
 use crate::orbit::solve::krawczyk::sharpen;
@@ -110,29 +110,11 @@ impl<'a> LocalSearch<'a> {
 
     /// A device at least as good, by random steps from this one.
     pub fn climb(&mut self, start: Candidate) -> Candidate {
-        let (mut best, mut step) = (start, FIRST_STEP);
-        for _ in 0..STEPS {
-            if step < LAST_STEP {
-                break;
-            }
-            let parameters = std::array::from_fn(|i| {
-                let range = &self.choice.ranges[i];
-                if range.is_held() {
-                    return best.parameters[i];
-                }
-                // the sum of three is near enough to a normal distribution
-                let parts: f64 = (0..3).map(|_| self.sequence.between(-1.0, 1.0)).sum();
-                let hull = range.hull();
-                (best.parameters[i] + step * range.span() * parts).clamp(hull.low(), hull.high())
-            });
-            match self.near(parameters, best.periods, best.at) {
-                Some(better) if better.rate > best.rate => {
-                    best = better;
-                    step *= LONGER;
-                }
-                _ => step *= SHORTER,
-            }
-        }
+        let mut sequence = self.sequence.clone();
+        let near = |parameters, best: &Candidate| self.near(parameters, best.periods, best.at);
+        let rated = |candidate: &Candidate| (candidate.parameters, candidate.rate);
+        let best = climb(&self.choice.ranges, &mut sequence, start, rated, near);
+        self.sequence = sequence;
         best
     }
 
@@ -264,6 +246,42 @@ impl<'a> LocalSearch<'a> {
         let least_clearance = self.choice.clearance.high() + LEAST_CLEARANCE;
         clearance(motion, periods, at).is_some_and(|least| least.is_none_or(|least| least.low() > least_clearance))
     }
+}
+
+/// Improves a candidate by random steps: `rated` gives the parameters and the rate of a candidate,
+/// `near` the candidate at parameters near those of another one.
+pub(crate) fn climb<C>(
+    ranges: &[Range; 4],
+    sequence: &mut Sequence,
+    start: C,
+    rated: impl Fn(&C) -> ([f64; 4], f64),
+    near: impl Fn([f64; 4], &C) -> Option<C>,
+) -> C {
+    let (mut best, mut step) = (start, FIRST_STEP);
+    for _ in 0..STEPS {
+        if step < LAST_STEP {
+            break;
+        }
+        let (here, rate) = rated(&best);
+        let parameters = std::array::from_fn(|i| {
+            let range = &ranges[i];
+            if range.is_held() {
+                return here[i];
+            }
+            // the sum of three is near enough to a normal distribution
+            let parts: f64 = (0..3).map(|_| sequence.between(-1.0, 1.0)).sum();
+            let hull = range.hull();
+            (here[i] + step * range.span() * parts).clamp(hull.low(), hull.high())
+        });
+        match near(parameters, &best) {
+            Some(better) if rated(&better).1 > rate => {
+                best = better;
+                step *= LONGER;
+            }
+            _ => step *= SHORTER,
+        }
+    }
+    best
 }
 
 /// The clearance of a motion, as far as it is known; none where it does not turn. `None` where that is not decided.

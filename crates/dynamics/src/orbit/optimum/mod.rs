@@ -4,6 +4,7 @@ pub mod cell;
 pub mod design;
 pub mod explicit;
 pub mod incumbent;
+pub mod local_word;
 pub mod record;
 pub mod search;
 pub mod sensitivity;

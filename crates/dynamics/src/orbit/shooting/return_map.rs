@@ -206,9 +206,8 @@ pub fn shoot_bifurcation<T>(
 where
     T: Analytic + DualNum,
 {
-    let word = Word::pair();
     let course = ReturnMap {
-        word: &word,
+        word: &near.word,
         periods: near.periods,
         durations: near.times.clone(),
     };
@@ -224,7 +223,8 @@ where
         .fold(f64::INFINITY, f64::min);
     match near.kind {
         BifurcationKind::SymmetryBreaking => Err(ShootingError::Bifurcation(near.kind)),
-        BifurcationKind::Grazing if slowest < SLOW => slow(family, near),
+        BifurcationKind::Grazing if slowest < SLOW && near.word == Word::pair() => slow(family, near),
+        BifurcationKind::Grazing if slowest < SLOW => Err(ShootingError::Bifurcation(near.kind)),
         BifurcationKind::Grazing => {
             let touch = TouchGuess::find(&family.motion_at(&near.parameter)?, near)?;
             let [time, velocity, parameter] = start;
@@ -256,7 +256,8 @@ where
 
 /// The trace at the bifurcation.
 fn level<T: Analytic>(motion: &Motion<T>, near: &BifurcationPoint) -> T {
-    let loss = motion.restitution(Side::Bottom).clone() * motion.restitution(Side::Top).clone();
+    let losses = near.word.sides().map(|side| motion.restitution(side).clone());
+    let loss = losses.fold(T::one(), |product, r| product * r);
     let condition = match (near.kind == BifurcationKind::NodeFocus, near.trace < 0.0) {
         (true, true) => BifurcationCondition::DoubleNegative,
         (true, false) => BifurcationCondition::DoublePositive,
@@ -279,7 +280,7 @@ impl TouchGuess {
     fn find(motion: &Motion<f64>, near: &BifurcationPoint) -> Result<Self, ShootingError> {
         let forcing = motion.forcing();
         let mut best: Option<(f64, Self)> = None;
-        for (flight, side) in [Side::Bottom, Side::Top].into_iter().enumerate() {
+        for (flight, side) in near.word.sides().enumerate() {
             let launch = -motion.restitution(side) * near.velocities[flight];
             let time = near.phases[flight] / std::f64::consts::PI;
             let path = Flight::launched(motion, &forcing, side, &time, launch)?;
@@ -289,7 +290,10 @@ impl TouchGuess {
                 if before.velocity * after.velocity > 0.0 {
                     continue;
                 }
-                for wall in [Side::Bottom, Side::Top] {
+                for wall in [Side::Bottom, Side::Top]
+                    .into_iter()
+                    .take(if motion.has_top() { 2 } else { 1 })
+                {
                     let apart = (after.displacement - path.target(wall)).abs();
                     if best.as_ref().is_none_or(|(least, _)| apart < *least) {
                         let after = at(sample);

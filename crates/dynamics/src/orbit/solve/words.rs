@@ -36,8 +36,8 @@ pub struct WordOrbit {
 /// **Completeness is not claimed**: a motion may attract none of the starts. What is found is certain: each is proved
 /// to exist, alone in a box, or says that it is not ([`WordOrbit::is_certified`]), as next to a fold, where two motions
 /// meet. Two motions are told apart by their boxes. Those of a shorter word (BT twice, for BTBT) are left out, and
-/// those whose velocities point away from a wall by more than rounding. The answer is the same each time. A word of twelve
-/// impacts takes some seconds; of the simulated cycles of 7 to 12 impacts of random devices every one was found.
+/// those whose velocities point away from a wall by more than rounding. The answer is the same each time. A word of
+/// twelve impacts takes some seconds; of the simulated cycles of 7 to 12 impacts of random devices every one was found.
 ///
 /// # Errors
 /// A parameter whose middle is out of its range; `NoTop` for a word with T of a motion with one wall.
