@@ -284,5 +284,6 @@ fn read_attractor(row: &csv::StringRecord) -> Option<ReachedAttractor> {
         error_bound: number("error_bound")?,
         voltage_rate: number("voltage_rate")?.map(|value| Estimate { value, error }),
         starts: field("starts")?.parse().ok()?,
+        releases: Vec::new(),
     })
 }

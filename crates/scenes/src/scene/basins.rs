@@ -4,7 +4,7 @@ use super::following::{Depth, Execution, Followed, Following, follow};
 use super::pace::Pace;
 use super::sweep::StartGrid;
 use super::{Quantity, Scene, SceneError, Setting, Want};
-use dynamics::impact::{Origin, Widening};
+use dynamics::impact::{Kind, Origin, Widening};
 use dynamics::model::{Membrane, Motion, Side};
 use dynamics::orbit::{Attractor, Estimate};
 use rayon::prelude::*;
@@ -34,6 +34,8 @@ pub struct ReachedAttractor {
     pub voltage_rate: Option<Estimate>,
     /// The starts that lead here.
     pub starts: u64,
+    /// The phases at which the ball is released, where a wall has several.
+    pub releases: Vec<f64>,
 }
 
 impl ReachedAttractor {
@@ -50,7 +52,8 @@ impl ReachedAttractor {
     }
 
     /// Whether it is the same, by what is known of both: motions that do not repeat are told apart by nothing; a release
-    /// from a rest forgets what was before, so that the word of a cycle through one is enough.
+    /// from a rest forgets what was before, so that the word of a cycle through one is enough, and one phase of release
+    /// where a wall has several.
     pub fn is_same(&self, other: &Self) -> bool {
         let (Some(word), Some(others)) = (&self.word, &other.word) else {
             return self.word == other.word;
@@ -59,7 +62,9 @@ impl ReachedAttractor {
             return false;
         }
         let (Some(phase), Some(velocity)) = (self.phases.first(), self.velocities.first()) else {
-            return word == others;
+            let is_shared = |at: &f64| other.releases.iter().any(|phase| (phase - at).abs() < SAME);
+            let are_known = !self.releases.is_empty() && !other.releases.is_empty();
+            return word == others && (!are_known || self.releases.iter().any(is_shared));
         };
         let mut impacts = other.phases.iter().zip(&other.velocities);
         impacts.any(|(at, with)| {
@@ -222,7 +227,20 @@ impl BasinPoints {
             error_bound: None,
             voltage_rate,
             starts: 1,
+            releases: Vec::new(),
         };
+        if let Some(resting) = cycle.and_then(|cycle| cycle.resting.as_ref())
+            && self.motion.other_forcing().is_some()
+        {
+            let mut releases = Vec::new();
+            let seen = resting.visit(&self.setting, |event| {
+                if event.kind == Kind::Release {
+                    releases.push(event.phase);
+                }
+            });
+            seen.map_err(|error| self.scene.error(None, error))?;
+            found.releases = releases;
+        }
         let Some(cycle) = cycle.filter(|cycle| !cycle.rests()) else {
             return Ok(found);
         };
@@ -297,7 +315,19 @@ mod tests {
             error_bound: None,
             voltage_rate: None,
             starts: 1,
+            releases: Vec::new(),
         }
+    }
+
+    #[test]
+    fn cycles_through_rests_are_one_where_they_share_a_release() {
+        let at = |releases: &[f64]| ReachedAttractor {
+            word: Some("B*".to_owned()),
+            releases: releases.to_vec(),
+            ..cycle(&[], &[])
+        };
+        assert!(at(&[1.0, 4.0]).is_same(&at(&[4.0])) && at(&[]).is_same(&at(&[])));
+        assert!(!at(&[1.0]).is_same(&at(&[4.0])));
     }
 
     #[test]
