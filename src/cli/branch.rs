@@ -2,12 +2,13 @@
 
 use super::complete::{Complete, incomplete};
 use super::curves::{self, COLUMNS, GAP};
+use super::motions::Motions;
 use super::rows::Rows;
 use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
     BifurcationPoint, Family, FoundOrbits, OneOneBranches, OpenBifurcation, OpenOrbit, Output, OutputPrecision,
-    RoundedOrbit, Word, WordBranches, confirm_bifurcation, is_covered,
+    RoundedOrbit, Word, WordBranches, confirm_bifurcation,
 };
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
@@ -22,9 +23,6 @@ pub struct Arguments {
     #[command(flatten)]
     complete: Complete,
 }
-
-/// Events that are no farther apart, in ranges of the parameter, are one.
-const SAME: f64 = 1e-9;
 
 /// The values that are computed together.
 const BLOCK: u32 = 1024;
@@ -92,47 +90,15 @@ struct BranchRows<W> {
     is_empty: bool,
 }
 
-/// Where motions at a value are looked for.
-enum Motions {
-    /// Those of which all are found.
-    Pairs(OneOneBranches<Setting>),
-    /// Any others: the branches that a search leads to, or that part from another one.
-    Others(WordBranches<Setting>),
-}
-
-impl Motions {
-    /// Whether the motions that were followed are among these.
-    fn has(&self, followed: &WordBranches<Setting>) -> bool {
-        match self {
-            Self::Pairs(_) => followed.word().0 == Word::pair(),
-            Self::Others(own) => own.has(followed),
-        }
-    }
-
-    fn bifurcations(&self) -> Vec<BifurcationPoint> {
-        match self {
-            Self::Pairs(prepared) => prepared.bifurcations().0,
-            Self::Others(followed) => followed.bifurcations(),
-        }
-    }
-}
-
 impl<W: Output + Clone> BranchRows<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
     fn new(wanted: &W, setting: &Setting, sweep: &Sweep, word: Word, periods: u32) -> Result<Self, Failure> {
-        let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
-        let middle = setting.motion_at(&Interval::point(nearest(sweep).midpoint()))?;
-        let (motions, events) = if is_covered(&middle, &word) {
-            let prepared = OneOneBranches::new(setting.clone(), periods, from.hull(&to), wanted.options())?;
-            let events = events_of_pairs(&prepared, wanted, sweep.over, periods);
-            (Motions::Pairs(prepared), events)
-        } else {
-            // the ends as f64: rounded outward they reach beyond a restitution of 1
-            let followed = WordBranches::new(setting.clone(), &word, periods, nearest(sweep), wanted.options())?;
-            let events = events_of_others(&followed, wanted, sweep.over, &word, periods);
-            (Motions::Others(followed), events)
+        let motions = Motions::new(setting, sweep, &word, periods, wanted.options())?;
+        let events = match &motions {
+            Motions::Pairs(prepared) => events_of_pairs(prepared, wanted, sweep.over, periods),
+            Motions::Others(followed) => events_of_others(followed, wanted, sweep.over, &word, periods),
         };
         Ok(Self::of(wanted, setting, sweep, (word, periods), (motions, events)))
     }
@@ -160,44 +126,22 @@ where
         }
     }
 
-    /// The rows of the branches that part from these, and so many times on from those. Words and periods that are
-    /// `known` are followed by themselves.
+    /// The rows of the branches that part from these.
     fn parting(&self, switches: u32, known: &[(Word, u32)]) -> Vec<Result<Vec<Cell>, Failure>> {
-        let mut rows = Vec::new();
-        if switches == 0 {
-            return rows;
-        }
-        let range = nearest(&self.sweep);
-        // where a branch that has been followed parts: it may leave and come back
-        let mut left: Vec<f64> = Vec::new();
-        for event in self.motions.bifurcations() {
-            let is_here = |at: &f64| (at - event.parameter).abs() < SAME * range.width();
-            if left.iter().any(is_here) {
-                continue;
-            }
-            let options = self.wanted.options();
-            let Some(followed) = WordBranches::switched(self.setting.clone(), &event, range, options) else {
-                continue;
-            };
+        let (wanted, setting, sweep) = (&self.wanted, &self.setting, &self.sweep);
+        let parting = self.motions.parting(setting, sweep, wanted.options(), switches, known);
+        let rows = parting.into_iter().flat_map(|followed| {
             let (word, periods) = followed.word();
-            if known.contains(&(word.clone(), periods)) || self.motions.has(&followed) {
-                continue;
-            }
-            left.extend(followed.bifurcations().iter().map(|event| event.parameter));
-            let events = events_of_others(&followed, &self.wanted, self.sweep.over, &word, periods);
-            let motions = Motions::Others(followed);
-            let parts = Self::of(
-                &self.wanted,
-                &self.setting,
-                &self.sweep,
+            let events = events_of_others(&followed, wanted, sweep.over, &word, periods);
+            Self::of(
+                wanted,
+                setting,
+                sweep,
                 (word, periods),
-                (motions, events),
-            );
-            let further = parts.parting(switches - 1, known);
-            rows.extend(parts);
-            rows.extend(further);
-        }
-        rows
+                (Motions::Others(followed), events),
+            )
+        });
+        rows.collect()
     }
 
     /// The rows of the next block of values, and of the events on the way there.
@@ -206,10 +150,7 @@ where
         let values: Vec<Quantity> = (self.next..end).map(|index| self.sweep.value(index)).collect();
         self.next = end;
         let (wanted, over) = (&self.wanted, self.sweep.over);
-        let found = match &self.motions {
-            Motions::Pairs(prepared) => prepared.points_as(wanted, &values)?,
-            Motions::Others(followed) => followed.points_as(wanted, &values)?,
-        };
+        let found = self.motions.points_as(wanted, &values)?;
         let sign = direction(&self.sweep);
         for (value, found) in values.iter().zip(found) {
             tell(value, &found);
@@ -252,12 +193,6 @@ where
         self.is_empty = false;
         self.ready.pop_front().map(Ok)
     }
-}
-
-/// The range of a sweep, its ends as f64.
-fn nearest(sweep: &Sweep) -> Interval<f64> {
-    let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<f64>());
-    Interval::new(from.min(to), from.max(to))
 }
 
 /// 1 where the values of a sweep rise, else -1.

@@ -29,6 +29,7 @@ mod mended;
 mod merge;
 #[cfg(test)]
 mod modelled;
+mod motions;
 mod notebook;
 mod optimise;
 mod options;

@@ -1,10 +1,10 @@
 //! What a sweep shows: simulated impacts, branches, voltages.
 
+use super::super::motions::Motions;
 use super::super::{Failure, note};
 use super::claims::{Claims, Column};
 use crate::model::Side;
-use crate::number::Interval;
-use crate::orbit::{Family, FoundOrbits, OneOneBranches, RoundedOrbit, WordBranches, is_covered};
+use crate::orbit::{OutputPrecision, RoundedOrbit, Word};
 use crate::report::figure::{Bifurcation, Course, Diagram, Energy, Impact, Parameter, Quantity, Step};
 use crate::report::plot::{Panel, Point};
 use crate::scene::{Quantity as Value, Scene, Want};
@@ -96,62 +96,62 @@ pub(super) fn allowed(count: u64, what: &'static str, most: u64, other: &'static
 
 /// The motions of the wanted words along the sweep.
 fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
-    let (sweep, setting) = (scene.sweep()?, scene.swept_setting()?);
-    let values: Vec<Value> = sweep.values().collect();
-    let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
-    let (low, high) = diagram.parameter.ends;
-    let mut steps = Vec::new();
+    let (sweep, setting, options) = (scene.sweep()?, scene.swept_setting()?, scene.options()?);
+    let mut kinds = Vec::new();
     for word in scene.words()? {
         for periods in 1..=scene.max_periods()? {
-            let name = match periods {
-                1 => word.to_string(),
-                _ => format!("{word} {periods}T"),
-            };
-            let first = setting.motion_at(&Interval::<f64>::point(low))?;
-            let found: Vec<FoundOrbits> = if is_covered(&first, &word) {
-                let prepared = OneOneBranches::new(&setting, periods, from.hull(&to), &scene.options()?)?;
-                let (events, open) = prepared.bifurcations();
-                open.iter().for_each(|open| note(&format!("{}: {open}", scene.name())));
-                let events = events.into_iter().map(|event| Bifurcation {
-                    step: Step {
-                        at: event.parameter,
-                        name: name.clone(),
-                        phases: event.phases.to_vec(),
-                        velocities: event.velocities.to_vec(),
-                        course: Course::of(false, event.admissible),
-                    },
-                    event: event.kind,
-                });
-                diagram.bifurcations.extend(events);
-                prepared.points(&values)?
-            } else {
-                let followed =
-                    WordBranches::new(&setting, &word, periods, Interval::new(low, high), &scene.options()?)?;
-                let events = followed.bifurcations().into_iter().map(|event| Bifurcation {
-                    step: Step {
-                        at: event.parameter,
-                        name: name.clone(),
-                        phases: event.phases.clone(),
-                        velocities: event.velocities.clone(),
-                        course: Course::of(false, event.admissible),
-                    },
-                    event: event.kind,
-                });
-                diagram.bifurcations.extend(events);
-                followed.points(&values)?
-            };
-            let of_value = values.iter().zip(found).flat_map(|(value, found)| {
-                let at = value.value::<f64>();
-                found.orbits.into_iter().map(move |orbit| (at, orbit))
-            });
-            let mut own: Vec<Step> = of_value.map(|(at, orbit)| step(at, &name, orbit)).collect();
-            // strands go from left to right
-            own.sort_by(|one, other| one.at.total_cmp(&other.at));
-            steps.extend(own);
+            kinds.push((word.clone(), periods));
+        }
+    }
+    let mut steps = Vec::new();
+    for (word, periods) in &kinds {
+        let motions = Motions::new(&setting, &sweep, word, *periods, &options)?;
+        let parting = motions.parting(&setting, &sweep, &options, scene.switches()?, &kinds);
+        let parting = parting
+            .into_iter()
+            .map(|followed| (followed.word(), Motions::Others(followed)));
+        for ((word, periods), motions) in std::iter::once(((word.clone(), *periods), motions)).chain(parting) {
+            steps.extend(drawn(scene, &motions, &word, periods, diagram)?);
         }
     }
     diagram.steps = Some(steps);
     Ok(())
+}
+
+/// The motions at each value, from left to right; their bifurcations are added to the diagram.
+fn drawn(
+    scene: &Scene,
+    motions: &Motions,
+    word: &Word,
+    periods: u32,
+    diagram: &mut Diagram,
+) -> Result<Vec<Step>, Failure> {
+    let name = match periods {
+        1 => word.to_string(),
+        _ => format!("{word} {periods}T"),
+    };
+    let (events, open) = motions.bifurcations();
+    open.iter().for_each(|open| note(&format!("{}: {open}", scene.name())));
+    let events = events.into_iter().map(|event| Bifurcation {
+        step: Step {
+            at: event.parameter,
+            name: name.clone(),
+            phases: event.phases,
+            velocities: event.velocities,
+            course: Course::of(false, event.admissible),
+        },
+        event: event.kind,
+    });
+    diagram.bifurcations.extend(events);
+    let values: Vec<Value> = scene.sweep()?.values().collect();
+    let found = motions.points_as(&OutputPrecision::DOUBLES, &values)?;
+    let of_value = values.iter().zip(found).flat_map(|(value, found)| {
+        let at = value.value::<f64>();
+        found.orbits.into_iter().map(move |orbit| (at, orbit))
+    });
+    let mut own: Vec<Step> = of_value.map(|(at, orbit)| step(at, &name, orbit)).collect();
+    own.sort_by(|one, other| one.at.total_cmp(&other.at));
+    Ok(own)
 }
 
 fn step(at: f64, name: &str, orbit: RoundedOrbit) -> Step {
