@@ -779,7 +779,7 @@ impl Statement {
             Some(FunctionOf::Line) => true,
             Some(FunctionOf::Interval { piecewise, .. }) => self.piecewise.get(*piecewise).is_some_and(|own| {
                 let mut ends = own.ends.iter().flatten().flatten();
-                ends.all(|sequence| !self.is_complex_sequence(*sequence))
+                !own.ends.is_empty() && ends.all(|sequence| !self.is_complex_sequence(*sequence))
             }),
             None => false,
         }

@@ -356,9 +356,6 @@ impl<'a> At<'a> {
     /// Functions that are named have values at all times, or are what their own law says; none is in the table too.
     fn check_functions(&mut self) -> Outcome<()> {
         for (function, time, term) in &self.witness.functions {
-            if self.witness.table.iter().any(|(other, ..)| other == function) {
-                return refused("a function is named and in the table");
-            }
             let same = self.witness.functions.iter().filter(|(other, ..)| other == function);
             if same.count() > 1 {
                 return refused("a function is named twice");
@@ -392,7 +389,7 @@ impl<'a> At<'a> {
         let mut implied: BTreeMap<Function, (Symbol, Term)> = BTreeMap::new();
         for (function, time, term) in self.witness.functions.clone() {
             if self.chain(function).iter().any(|f| self.is_tabled(*f)) {
-                return refused("a function is named and its derivative is in the table");
+                return refused("a function is named, and it or its derivative is in the table");
             }
             let (mut of, mut slope, mut seen) = (function, term, BTreeSet::new());
             loop {
