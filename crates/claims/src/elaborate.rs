@@ -770,7 +770,7 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// Whether a list of `[symbols]` names a symbol: states and times by an index, which stands for every one where it runs.
+    /// Returns true if a list of `[symbols]` names a symbol: states and times by an index, which stands for every one where it runs.
     fn is_listed(&self, named: &Named, kind: &Meaning) -> bool {
         let letter = &self.symbols.index;
         let runs = self.symbols.indices().any(|name| is_letter(name, letter));

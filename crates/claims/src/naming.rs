@@ -7,10 +7,10 @@ use texmath::{Invariant, Name, Symbols, subscript_of};
 /// The most derivatives of a motion that may be states.
 const MOST_DOTS: usize = 8;
 
-/// What stands in place of an offset where the text of a member is made.
+/// The placeholder for an offset while the text of a member is made.
 const OFFSET: &str = "\u{1}";
 
-/// What a symbol is called and belongs to.
+/// The name of a symbol, with the place where it belongs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Named {
     Parameter(Name),

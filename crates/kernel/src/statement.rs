@@ -101,8 +101,8 @@ pub struct Sequence {
 #[derive(Clone, Debug, Default)]
 pub struct Piecewise {
     pub text: String,
-    /// Of each derivative, from the function itself on, the sequences of its values at the beginnings and at the ends of
-    /// intervals. Where both are one sequence, it is continuous.
+    /// The sequences of its values, and of those of its derivatives in order, at the beginnings and at the ends of intervals.
+    /// Where both are one sequence, it is continuous.
     pub ends: Vec<Option<[usize; 2]>>,
 }
 
@@ -508,7 +508,7 @@ impl Statement {
         is_end(interval) || is_end(interval + 1) || runs || running_in == Some((symbol, interval))
     }
 
-    /// Whether a term means something at another index.
+    /// Returns true if a term means something at another index.
     pub(super) fn may_move(&mut self, term: Term) -> bool {
         let term = self.written_out(term);
         let mut symbols = self.symbols_in(term).into_iter();
@@ -707,7 +707,7 @@ impl Statement {
         value(&mut self.terms, &self.derivatives, function, order, at)
     }
 
-    /// Whether a symbol may be complex: declared so, a member of such a sequence, or not known.
+    /// Returns true if a symbol may be complex: declared so, a member of such a sequence, or not known.
     fn is_complex_symbol(&self, symbol: Symbol) -> bool {
         match self.quantity(symbol) {
             None | Some(Quantity::Fresh | Quantity::Partial { .. }) => true,
@@ -744,8 +744,8 @@ impl Statement {
         !self.complex || !self.terms.inside(term).iter().any(jumps)
     }
 
-    /// Whether an equation of implicit quantities may be differentiated along them: functions of intervals change with what
-    /// these depend on, and so do derivatives.
+    /// Returns true if an equation of implicit quantities may be differentiated along them: functions of intervals change with
+    /// what these depend on, and so do derivatives.
     pub(super) fn is_smooth_along(&self, term: Term) -> bool {
         let changes = |inner: &Term| match self.terms.node(*inner) {
             Node::Value(function, ..) => self.functions.get(function.0 as usize) != Some(&FunctionOf::Line),
@@ -773,7 +773,7 @@ impl Statement {
         (!self.complex || inside.all(principal)).then_some(sign)
     }
 
-    /// Whether a function has real values: one of an interval does if all its values at ends are real.
+    /// Returns true if a function has real values: one of an interval does if all its values at ends are real.
     fn is_real_function(&self, function: Function) -> bool {
         match self.functions.get(function.0 as usize) {
             Some(FunctionOf::Line) => true,

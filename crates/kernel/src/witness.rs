@@ -235,8 +235,8 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Whether symbols take, around the point, all values that premises and definitions in them, and perhaps in parameters
-    /// and instants, allow.
+    /// Returns true if symbols take, around the point, all values that premises and definitions in them, and perhaps in
+    /// parameters and instants, allow.
     fn takes_all_values(&mut self, of: &[Symbol], with_others: bool) -> Outcome<bool> {
         let (premises, symbols) = self.premises_on(of, with_others);
         let (mut values, mut free) = (Vec::new(), BTreeSet::new());
@@ -531,8 +531,8 @@ impl<'a> At<'a> {
         })
     }
 
-    /// Whether implicit quantities of which too few equations are given may have all derivatives that meet these at the
-    /// point: the slopes of the equations are independent there (implicit function theorem), and nothing else that is given
+    /// Returns true if implicit quantities of which too few equations are given may have all derivatives that meet these at
+    /// the point: the slopes of the equations are independent there (implicit function theorem), and nothing else that is given
     /// speaks of the quantities, but the equations of others that depend on them.
     fn is_free(&mut self, implicit: &Implicit) -> Outcome<bool> {
         let depends_on_them = |other: &&Implicit| {
@@ -1090,7 +1090,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Whether a node is a number of a sequence, or a value of a function of an interval, that the point does not give.
+    /// Returns true for a number of a sequence, or a value of a function of an interval, that the point does not give.
     fn is_open(&self, node: &Node) -> bool {
         match node {
             Node::Symbol(symbol) => {
