@@ -43,7 +43,7 @@ pub const CRATES: [(&str, &[&str]); 10] = [
     ("texmath", &["numbers"]),
     ("dynamics", &["numbers", "stop"]),
     ("claims", &["kernel", "numbers", "texmath"]),
-    ("kernel", &["numbers", "texmath"]),
+    ("kernel", &["numbers"]),
     ("prover", &["claims", "kernel", "numbers", "stop", "texmath"]),
     ("evidence", &["claims", "dynamics", "numbers", "texmath"]),
     ("scenes", &["dynamics", "numbers", "stop", "texmath"]),

@@ -1,6 +1,6 @@
 //! Maps given implicitly: which of the givens determine a map.
 
-use kernel::{Expansion, Node, Origin, Polynomial, Property, Quantity, Statement, Step, Symbol, Term};
+use kernel::{Expansion, Implicit, Node, Origin, Polynomial, Property, Quantity, Statement, Symbol, Term};
 use std::collections::BTreeSet;
 
 /// A Mersenne prime, 2^61 - 1.
@@ -11,7 +11,7 @@ const PRIME: u128 = (1 << 61) - 1;
 /// and does not lead from one impact to the next, or speaks of times alone where those with states suffice, restricts the
 /// point; where something else is left, nothing tells which of these is the map, and none determines it. What is given
 /// under a origin of `pointwise` may hold at single points only.
-pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[Origin]) -> Vec<(Origin, Term)> {
+pub fn determining(statement: &mut Statement, step: &Implicit, pointwise: &[Origin]) -> Vec<(Origin, Term)> {
     let mut candidates: Vec<(Origin, Term)> = Vec::new();
     let mut slopes: Vec<(Origin, Term)> = Vec::new();
     for number in 0..statement.givens().len() {
@@ -24,9 +24,9 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[Origin])
         }
         match &given.law {
             None => candidates.push((given.origin, given.term)),
-            Some(law) if law.flight.is_some() => {
-                let (flight, origin) = (law.flight.unwrap_or(0), given.origin);
-                let times: Vec<(i32, Symbol)> = statement.times().iter().map(|(n, t)| (*n, *t)).collect();
+            Some(law) if law.interval.is_some() => {
+                let (flight, origin) = (law.interval.unwrap_or(0), given.origin);
+                let times: Vec<(i32, Symbol)> = statement.instants().iter().map(|(n, t)| (*n, *t)).collect();
                 let ends = times.into_iter().filter(|(_, time)| step.of.contains(time));
                 for (index, time) in ends.collect::<Vec<_>>() {
                     let time = statement.terms_mut().symbol(time);
@@ -69,12 +69,6 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[Origin])
             universal.insert(slope);
         }
     }
-    let moving = |symbol: &Symbol, statement: &Statement| {
-        matches!(
-            statement.quantity(*symbol),
-            Some(Quantity::Time { .. } | Quantity::State { .. })
-        )
-    };
     let mut fitting: Vec<(bool, Origin, Term)> = Vec::new();
     let mut leading: BTreeSet<(bool, Term)> = BTreeSet::new();
     for (origin, term) in candidates {
@@ -88,7 +82,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[Origin])
                 _ => None,
             })
             .collect();
-        let met: Vec<Symbol> = met.into_iter().filter(|symbol| moving(symbol, statement)).collect();
+        let met: Vec<Symbol> = met.into_iter().filter(|symbol| statement.depends(*symbol)).collect();
         let inside = met
             .iter()
             .all(|symbol| step.of.contains(symbol) || step.by.contains(symbol));
@@ -104,9 +98,7 @@ pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[Origin])
                 _ => false,
             });
         if inside && speaks && !partial {
-            let state = met
-                .iter()
-                .any(|symbol| matches!(statement.quantity(*symbol), Some(Quantity::State { .. })));
+            let state = met.iter().any(|symbol| statement.number_of(*symbol).is_some());
             if universal.contains(&term) || met.iter().any(|symbol| step.by.contains(symbol)) {
                 leading.insert((!state, term));
             }

@@ -2,11 +2,12 @@
 
 use super::definition::Local;
 use super::determining::determining;
+use super::naming::{Named, Names, is_letter, undotted};
 use super::premise::Statements;
 use super::reduce::infinity;
 use kernel::{
-    Draft, Elementary, Expansion, FunctionOf, Given, Law, Monomial, Node, Origin, Property, Quantity, Statement, Step,
-    Symbol, Term, determinant, is_letter, slope_determinant,
+    Draft, Elementary, Expansion, FunctionOf, Given, Implicit, Law, Monomial, Node, Origin, Property, Quantity,
+    Statement, Symbol, Term, determinant, slope_determinant,
 };
 use num_traits::Zero;
 use numbers::{Field, Rational};
@@ -22,6 +23,26 @@ pub struct Question {
     /// Which sign stands for `\pm`, where the equation has one; the solutions of the premises for pairs.
     pub instance: String,
     pub statement: Statement,
+    /// The names of its symbols.
+    pub names: Names,
+    /// The maps whose derivatives it speaks of. Those without images come first, in the order of what the statement has
+    /// as implicit.
+    pub maps: Vec<MapStep>,
+}
+
+/// A map from one impact to the next.
+#[derive(Clone, Debug, Default)]
+pub struct MapStep {
+    /// The name of the map; none where derivatives that are written imply it.
+    pub name: String,
+    /// From what it leads to what, by equations.
+    pub implicit: Implicit,
+    /// The terms that it gives, where its equations say so outright in what it leads from and symbols that do not move.
+    pub images: Vec<Term>,
+    /// The conditions for its equations to be defined, besides what their terms show.
+    conditions: Vec<(Property, Term)>,
+    /// True if its equations are read over the reals alone.
+    real_only: bool,
 }
 
 /// Why no statement can be made.
@@ -76,22 +97,13 @@ fn asked(statements: &Statements, symbols: &Symbols, complex: bool) -> Result<Ve
                     builder.upper = upper;
                     let goal = builder.claim(equation, at)?;
                     builder.write_claims(statements, equation)?;
-                    let statement = builder.finish(vec![goal])?;
                     let instance = upper.map_or("", |upper| if upper { "upper sign" } else { "lower sign" });
-                    questions.push(question(equation, instance, statement));
+                    questions.push(builder.finish(equation, instance, vec![goal])?);
                 }
             }
         }
     }
     Ok(questions)
-}
-
-fn question(equation: &Equation, instance: &str, statement: Statement) -> Question {
-    Question {
-        equation: equation.clone(),
-        instance: instance.to_string(),
-        statement,
-    }
 }
 
 /// `x_{1,2} = a \pm b`: every solution of the premises for x is one of the two values, and where there is one, each value is a solution.
@@ -123,11 +135,7 @@ fn pair_questions(
     builder.write_claims(statements, equation)?;
     let factors = [first, second].map(|value| builder.statement.terms_mut().difference(symbol, value));
     let product = builder.statement.terms_mut().product(factors.to_vec());
-    questions.push(question(
-        equation,
-        "every solution",
-        builder.finish(vec![(Property::Zero, product)])?,
-    ));
+    questions.push(builder.finish(equation, "every solution", vec![(Property::Zero, product)])?);
     for sign in [0, 1] {
         let (mut builder, at) = Builder::given(statements, symbols, complex)?;
         let values = values(&mut builder, at)?;
@@ -140,7 +148,7 @@ fn pair_questions(
         } else {
             "the lower value is a solution"
         };
-        questions.push(question(equation, instance, builder.finish(goals)?));
+        questions.push(builder.finish(equation, instance, goals)?);
     }
     Ok(questions)
 }
@@ -172,6 +180,7 @@ struct Scope<'a> {
 struct Builder<'a> {
     symbols: &'a Symbols,
     statement: Draft,
+    names: Names,
     locals: &'a [Local],
     scope: Scope<'a>,
     upper: Option<bool>,
@@ -194,7 +203,10 @@ struct Builder<'a> {
     /// The premises whose own conditions may hold at single points only: no map is differentiated there.
     pointwise: Vec<Origin>,
     /// The maps from one impact to the next whose derivatives are written, where the symbol table names no map.
-    implied: Vec<(Name, Step)>,
+    implied: Vec<(Name, MapStep)>,
+    /// The maps whose derivatives are symbols of their own, and those that say outright what they lead to.
+    maps: Vec<MapStep>,
+    outright: Vec<MapStep>,
     /// The names that the premises write, and whether one of them is a law of flight.
     spoken: BTreeSet<Name>,
     has_flight: bool,
@@ -211,14 +223,11 @@ impl<'a> Builder<'a> {
             flight: 0,
             in_flight: false,
         };
+        let (names, statement) = Names::new(symbols, complex);
         let mut builder = Self {
             symbols,
-            statement: Draft::new(
-                complex,
-                symbols.states().cloned().collect(),
-                symbols.continuous().cloned().collect(),
-                symbols.index.clone(),
-            ),
+            statement,
+            names,
             locals: &statements.locals,
             scope: none,
             upper: None,
@@ -234,6 +243,8 @@ impl<'a> Builder<'a> {
             is_declared: false,
             pointwise: Vec::new(),
             implied: Vec::new(),
+            maps: Vec::new(),
+            outright: Vec::new(),
             spoken: BTreeSet::new(),
             has_flight: false,
             assumed_integers: statements.assume.iter().filter_map(assumed_integer).collect(),
@@ -317,14 +328,14 @@ impl<'a> Builder<'a> {
         }
         conditions.append(&mut self.brought);
         let said: Vec<Term> = conditions.iter().map(|(_, of)| *of).chain([term]).collect();
-        let time = self.running_symbol().filter(|&time| {
+        let time = self.statement.running().filter(|&time| {
             said.iter().any(|&term| {
                 let written = self.statement.written_out(term);
                 self.statement.terms().holds(written, time)
             })
         });
-        let every_impact = self.scope.in_flight || self.runs_over_indices(term);
-        if time.is_none() && !every_impact {
+        let every_index = self.scope.in_flight || self.runs_over_indices(term);
+        if time.is_none() && !every_index {
             let mut all = self.statement.domain(term);
             for (_, of) in &conditions {
                 all.extend(self.statement.domain(*of));
@@ -336,11 +347,10 @@ impl<'a> Builder<'a> {
             }
             return;
         }
-        let flight = (self.scope.in_flight && time.is_some()).then_some(self.scope.flight);
         let law = Law {
             time,
-            flight,
-            every_impact,
+            interval: (self.scope.in_flight && time.is_some()).then_some(self.scope.flight),
+            every_index,
             conditions,
         };
         self.push(origin, property, term, Some(law));
@@ -360,7 +370,7 @@ impl<'a> Builder<'a> {
         for &term in &terms {
             all.extend(self.statement.domain(term));
         }
-        let near = self.statement.holding_near(&all, &terms, &Statement::moves_along);
+        let near = self.statement.holding_near(&all, &terms, &Statement::depends);
         near.is_some_and(|near| near.is_empty())
     }
 
@@ -385,23 +395,14 @@ impl<'a> Builder<'a> {
             .inside(written)
             .into_iter()
             .any(|inner| match self.statement.terms().node(inner) {
-                Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
-                    Some(Quantity::State { .. } | Quantity::Time { .. }) => members_run,
+                Node::Symbol(symbol) => match self.names.of(&self.statement, *symbol) {
+                    Some(Named::State { .. } | Named::Time { .. }) => members_run,
                     // the index itself
-                    Some(Quantity::Parameter(name)) => self.symbols.is_index(name),
+                    Some(Named::Parameter(name)) => self.symbols.is_index(&name),
                     _ => false,
                 },
                 _ => false,
             })
-    }
-
-    fn running_symbol(&mut self) -> Option<Symbol> {
-        let at = self
-            .statement
-            .quantities()
-            .iter()
-            .position(|known| *known == Quantity::Running)?;
-        u32::try_from(at).ok().map(Symbol)
     }
 
     /// The goal of a claim.
@@ -409,7 +410,7 @@ impl<'a> Builder<'a> {
         let scope = self.scope_of(equation, self.locals, 1, Some(self.scope.flight));
         self.own_scope(scope.flight, scope.in_flight);
         if scope.in_flight {
-            *self.statement.parts().flight = Some(scope.flight);
+            *self.statement.parts().interval = Some(scope.flight);
         }
         let goal = self.relation(equation)?;
         self.written.push(goal.1);
@@ -469,7 +470,7 @@ impl<'a> Builder<'a> {
 
     /// Whether a term changes in flight.
     fn runs(&mut self, term: Term) -> bool {
-        let running = self.running_symbol();
+        let running = self.statement.running();
         let written = self.statement.written_out(term);
         let inside = self.statement.terms().inside(written);
         inside
@@ -478,7 +479,7 @@ impl<'a> Builder<'a> {
                 Node::Symbol(symbol) => Some(*symbol) == running,
                 Node::Value(function, ..) => matches!(
                     self.statement.functions().get(function.0 as usize),
-                    Some(FunctionOf::Flight { .. })
+                    Some(FunctionOf::Interval { .. })
                 ),
                 _ => false,
             })
@@ -533,8 +534,8 @@ impl<'a> Builder<'a> {
 
     /// Whether a symbol is declared complex.
     fn may_be_complex(&self, symbol: Symbol) -> bool {
-        let quantity = self.statement.quantity(symbol);
-        matches!(quantity, Some(Quantity::Parameter(name)) if self.symbols.is_complex(name))
+        let named = self.names.of(&self.statement, symbol);
+        matches!(named, Some(Named::Parameter(name)) if self.symbols.is_complex(&name))
     }
 
     /// Whether a term is a polynomial in a symbol of degree 1 or more, with a number that is not 0 as leading coefficient
@@ -587,7 +588,25 @@ impl<'a> Builder<'a> {
     }
 
     /// The statement with these goals: the domain of the claim, and what is declared of every symbol met, are given.
-    fn finish(mut self, goal: Vec<(Property, Term)>) -> Result<Statement, Unreadable> {
+    fn finish(
+        mut self,
+        equation: &Equation,
+        instance: &str,
+        goal: Vec<(Property, Term)>,
+    ) -> Result<Question, Unreadable> {
+        let goal = self.complete(goal)?;
+        self.maps.append(&mut self.outright);
+        Ok(Question {
+            equation: equation.clone(),
+            instance: instance.to_string(),
+            statement: self.statement.finish(goal),
+            names: self.names,
+            maps: self.maps,
+        })
+    }
+
+    /// Gives what the goals need, and the goals; none where the statement is to be built anew over complex numbers.
+    fn complete(&mut self, goal: Vec<(Property, Term)>) -> Result<Vec<(Property, Term)>, Unreadable> {
         // a pair has its signs among the goals
         if !self.is_declared {
             self.declare_signs()?;
@@ -597,7 +616,7 @@ impl<'a> Builder<'a> {
         if self.is_complex() && !self.statement.is_complex() {
             // it is built anew, with principal branches
             *self.statement.parts().complex = true;
-            return Ok(self.statement.finish(Vec::new()));
+            return Ok(Vec::new());
         }
         if self.statement.is_complex() && self.real_only {
             return Err(unreadable(
@@ -651,38 +670,35 @@ impl<'a> Builder<'a> {
                 format!("the claim and its premises come to more than {MOST_TERMS} terms"),
             ));
         }
-        Ok(self.statement.finish(goal))
+        Ok(goal)
     }
 
     /// Where laws of flight are given, the impacts at which states are named have times.
     fn name_times(&mut self) {
-        let is_flight = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
+        let is_flight = |given: &Given| given.law.as_ref().is_some_and(|law| law.interval.is_some());
         let (Some(family), true) = (
-            self.symbols.times().next(),
+            self.symbols.times().next().and_then(|family| self.names.time(family)),
             self.statement.givens().iter().any(is_flight),
         ) else {
             return;
         };
-        for quantity in self.statement.quantities().to_vec() {
-            if let Quantity::State { index, .. } = quantity {
-                self.statement.time(family, index, &self.symbols.index);
+        for number in 0..self.statement.quantities().len() {
+            if let Some((_, index)) = self.statement.number_of(symbol(number)) {
+                self.statement.member(family, index);
             }
         }
     }
 
     fn is_complex(&mut self) -> bool {
-        let declared = |quantity: &Quantity| match quantity {
-            Quantity::Parameter(name) => self.symbols.is_complex(name),
-            Quantity::State { state, .. } | Quantity::Absolute { state, .. } => {
-                self.symbols.complex().any(|name| name.bare() == *state)
+        let declared = |symbol: &Symbol| match self.names.of(&self.statement, *symbol) {
+            Some(Named::Parameter(name)) => self.symbols.is_complex(&name),
+            Some(Named::State { state, .. } | Named::Absolute { state, .. }) => {
+                self.symbols.complex().any(|name| name.bare() == state)
             }
             _ => false,
         };
-        let complex = (0_u32..).map(Symbol).zip(self.statement.quantities());
-        let complex: Vec<Symbol> = complex
-            .filter(|(_, quantity)| declared(quantity))
-            .map(|(symbol, _)| symbol)
-            .collect();
+        let all = (0..self.statement.quantities().len()).map(symbol);
+        let complex: Vec<Symbol> = all.filter(declared).collect();
         let conditions = |given: &Given| given.law.clone().map_or(Vec::new(), |law| law.conditions);
         let given = self.statement.givens().iter();
         let given = given.flat_map(|given| conditions(given).into_iter().map(|(_, of)| of).chain([given.term]));
@@ -718,55 +734,56 @@ impl<'a> Builder<'a> {
             let is_listed = lists.iter().any(|(kind, _)| symbols.is(name, kind)) || symbols.is_at_most_one(name);
             let symbol = Tree::Symbol(name.clone(), Default::default());
             let is_timeless = symbols.impacts(&Equation::between(symbol.clone(), symbol)).is_empty();
-            if is_listed && (is_timeless || !self.statement.times().is_empty()) {
+            if is_listed && (is_timeless || !self.statement.instants().is_empty()) {
                 self.own_scope(0, false);
                 self.tree(&Tree::Symbol(name.clone(), Default::default()))?;
             }
         }
         for at in 0..self.statement.quantities().len() {
-            let symbol = Symbol(u32::try_from(at).unwrap_or(u32::MAX));
-            let quantity = self.statement.quantities()[at].clone();
-            let name = match &quantity {
-                Quantity::Parameter(name) | Quantity::Local { name, scope: 0 } => name.clone(),
-                Quantity::State { state, .. } => state.clone(),
-                Quantity::Time { family, .. } => family.clone(),
-                Quantity::Running => symbols.running().cloned().unwrap_or_default(),
+            let symbol = symbol(at);
+            let Some(named) = self.names.of(&self.statement, symbol) else {
+                continue;
+            };
+            let name = match &named {
+                Named::Parameter(name) | Named::Local { name, scope: 0 } => name.clone(),
+                Named::State { state, .. } => state.clone(),
+                Named::Time { family, .. } => family.clone(),
+                Named::Running => symbols.running().cloned().unwrap_or_default(),
                 _ => continue,
             };
             let origin = Origin::Declared(name.to_string());
             let term = self.statement.terms_mut().symbol(symbol);
             for (kind, property) in &lists {
-                if self.is_listed(&quantity, kind) {
+                if self.is_listed(&named, kind) {
                     self.push(origin.clone(), *property, term, None);
                 }
             }
-            if self.is_listed(&quantity, &Meaning::AtMostOne) {
+            if self.is_listed(&named, &Meaning::AtMostOne) {
                 let one = self.statement.terms_mut().integer(1);
                 let rest = self.statement.terms_mut().difference(one, term);
                 self.push(origin.clone(), Property::NonNegative, rest, None);
             }
-            if self.is_listed(&quantity, &Meaning::Generic) {
+            if self.is_listed(&named, &Meaning::Generic) {
                 self.statement.parts().generic.push(symbol);
             }
         }
         Ok(())
     }
 
-    /// Whether a list of `[symbols]` names a quantity: states and times by an index, which stands for every one where
-    /// it runs.
-    fn is_listed(&self, quantity: &Quantity, kind: &Meaning) -> bool {
+    /// Returns true if a list of `[symbols]` names a symbol: states and times by an index, which stands for every one where it runs.
+    fn is_listed(&self, named: &Named, kind: &Meaning) -> bool {
         let letter = &self.symbols.index;
         let runs = self.symbols.indices().any(|name| is_letter(name, letter));
         let at =
             |name: &Name, index: i32| index_of(&name.subscript, letter).is_some_and(|listed| runs || listed == index);
-        self.symbols.all(kind).any(|name| match quantity {
-            Quantity::Parameter(known) | Quantity::Local { name: known, scope: 0 } => name == known,
-            Quantity::State { state, index, after } => {
-                let continuous = self.statement.continuous().contains(state);
+        self.symbols.all(kind).any(|name| match named {
+            Named::Parameter(known) | Named::Local { name: known, scope: 0 } => name == known,
+            Named::State { state, index, after } => {
+                let continuous = self.symbols.is_continuous(state);
                 name.bare() == *state && at(name, *index) && (continuous || *after == (name.mark == "+"))
             }
-            Quantity::Time { family, index } => name.bare() == *family && at(name, *index),
-            Quantity::Running => self.symbols.running() == Some(name),
+            Named::Time { family, index } => name.bare() == *family && at(name, *index),
+            Named::Running => self.symbols.running() == Some(name),
             _ => false,
         })
     }
@@ -776,8 +793,7 @@ impl<'a> Builder<'a> {
             if let Some(Tree::Symbol(next, _)) = derivative
                 && self.symbols.is_function(next)
             {
-                let function = self.statement.function_of(FunctionOf::Line(name.clone()));
-                let next = self.statement.function_of(FunctionOf::Line(next.clone()));
+                let [function, next] = [name, next].map(|name| self.names.function(&mut self.statement, name));
                 self.statement.parts().derivatives.insert(function, next);
             }
         }
@@ -790,7 +806,7 @@ impl<'a> Builder<'a> {
             };
             let time = self.running()?;
             let right = self.tree(tree)?;
-            let function = self.statement.function_of(FunctionOf::Line(name.clone()));
+            let function = self.names.function(&mut self.statement, name);
             let left = self.statement.value(function, 1, time);
             let term = self.statement.terms_mut().difference(left, right);
             self.give(
@@ -824,8 +840,8 @@ impl<'a> Builder<'a> {
         if let Some(running) = self.running {
             return Ok(running);
         }
-        let printed = self.symbols.running().map_or("t".to_string(), Name::to_string);
-        let symbol = self.statement.symbol_of(Quantity::Running, || printed);
+        let text = self.symbols.running().map_or("t".to_string(), Name::to_string);
+        let symbol = self.statement.symbol_of(Quantity::Running, text);
         Ok(self.statement.terms_mut().symbol(symbol))
     }
 
@@ -855,10 +871,13 @@ impl<'a> Builder<'a> {
             mark: String::new(),
             ..name.clone()
         };
-        if let Some((state, dots)) = self.motion(&plain) {
-            return Ok(self.statement.in_flight(&state, self.scope.flight, dots + order, at));
+        if let Some((state, dots)) = self.motion(&plain)
+            && let Some(motion) = self.names.motion(&state)
+        {
+            let flight = self.scope.flight;
+            return Ok(self.statement.value_within(motion, flight, dots + order, at));
         }
-        let function = self.statement.function_of(FunctionOf::Line(plain));
+        let function = self.names.function(&mut self.statement, &plain);
         Ok(self.statement.value(function, order, at))
     }
 
@@ -1105,8 +1124,8 @@ impl<'a> Builder<'a> {
         Ok(self.statement.terms_mut().add(Node::RealPower(base, exponent)))
     }
 
-    fn is_assumed_integer(&self, quantity: &Quantity) -> bool {
-        matches!(quantity, Quantity::Parameter(name) if self.assumed_integers.contains(name))
+    fn is_assumed_integer(&self, named: &Named) -> bool {
+        matches!(named, Named::Parameter(name) if self.assumed_integers.contains(name))
     }
 
     /// Whether a term is written with numbers and symbols declared or assumed to be integers alone, and is, multiplied out, a polynomial
@@ -1115,9 +1134,9 @@ impl<'a> Builder<'a> {
         let terms = self.statement.terms();
         let may_stand = |inner: Term| match terms.node(inner) {
             Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => true,
-            Node::Symbol(symbol) => self.statement.quantity(*symbol).is_some_and(|quantity| {
-                let is_index = matches!(quantity, Quantity::Parameter(name) if self.symbols.is_index(name));
-                is_index || self.is_listed(quantity, &Meaning::Integer) || self.is_assumed_integer(quantity)
+            Node::Symbol(symbol) => self.names.of(&self.statement, *symbol).is_some_and(|named| {
+                let is_index = matches!(&named, Named::Parameter(name) if self.symbols.is_index(name));
+                is_index || self.is_listed(&named, &Meaning::Integer) || self.is_assumed_integer(&named)
             }),
             _ => false,
         };
@@ -1144,9 +1163,11 @@ impl<'a> Builder<'a> {
             return self.abbreviation(&local.name, &local.tree, self.scope.number, at);
         }
         if self.symbols.is_parameter(name) || self.symbols.is_index(name) {
-            let symbol = self
-                .statement
-                .symbol_of(Quantity::Parameter(name.clone()), || name.to_string());
+            let quantity = match is_letter(name, &self.symbols.index) {
+                true => Quantity::Index,
+                false => Quantity::Parameter,
+            };
+            let symbol = self.symbol(Named::Parameter(name.clone()), quantity, name.to_string());
             return Ok(self.statement.terms_mut().symbol(symbol));
         }
         if let Some(tree) = self.symbols.abbreviation(name) {
@@ -1194,16 +1215,20 @@ impl<'a> Builder<'a> {
         let meaning = meaning?;
         let needs = (self.brought.get(before..).unwrap_or_default().to_vec(), self.real_only);
         self.real_only |= real_only;
-        let quantity = Quantity::Local {
+        let named = Named::Local {
             name: name.clone(),
             scope,
         };
-        let symbol = self.statement.symbol_of(quantity, || name.to_string());
+        let symbol = self.symbol(named, Quantity::Abbreviation { is_local: scope > 0 }, name.to_string());
         self.statement.parts().definitions.insert(symbol, meaning);
         let term = self.statement.terms_mut().symbol(symbol);
         self.known.insert((name.clone(), scope), term);
         self.meant.insert(term, needs);
         Ok(term)
+    }
+
+    fn symbol(&mut self, named: Named, quantity: Quantity, text: String) -> Symbol {
+        self.names.symbol(&mut self.statement, named, quantity, text)
     }
 
     /// The symbol of an indexed time or state.
@@ -1214,15 +1239,16 @@ impl<'a> Builder<'a> {
             true => 0,
             false => index_of(&name.subscript, &self.symbols.index)?,
         };
-        let (bare, letter) = (name.bare(), self.symbols.index.clone());
+        let bare = name.bare();
         if name.primes > 0 {
             return None;
         }
         if name.mark.is_empty() && self.symbols.is_time(&bare) {
-            return Some(self.statement.time(&bare, index, &letter));
+            return Some(self.statement.member(self.names.time(&bare)?, index));
         }
         let is_state = self.symbols.is_state(&bare) && matches!(name.mark.as_str(), "" | "-" | "+");
-        is_state.then(|| self.statement.state(&bare, index, name.mark == "+", &letter))
+        let sequence = self.names.state(&bare, name.mark == "+").filter(|_| is_state)?;
+        Some(self.statement.member(sequence, index))
     }
 
     /// The symbol of a state at an index that is a number, where indices run.
@@ -1234,10 +1260,7 @@ impl<'a> Builder<'a> {
         let index: i32 = name.subscript.parse().ok()?;
         let state = name.bare();
         let plain = name.primes == 0 && name.mark.is_empty() && self.symbols.is_state(&state);
-        (runs && plain).then(|| {
-            self.statement
-                .symbol_of(Quantity::Absolute { state, index }, || name.to_string())
-        })
+        (runs && plain).then(|| self.symbol(Named::Absolute { state, index }, Quantity::Numbered, name.to_string()))
     }
 
     fn call(&mut self, name: &Name, argument: &Tree, at: usize) -> Result<Term, Unreadable> {
@@ -1277,8 +1300,9 @@ impl<'a> Builder<'a> {
                 return Err(unreadable(at, format!("{what}: write the index, or a mark `+` or `-`")));
             }
             let departs = name.mark == "+" || at_departure;
-            let letter = self.symbols.index.clone();
-            let symbol = self.statement.state(&name.bare(), index, departs, &letter);
+            let sequence = self.names.state(&name.bare(), departs);
+            let sequence = sequence.ok_or_else(|| unreadable(at, format!("`{name}` is no state")))?;
+            let symbol = self.statement.member(sequence, index);
             return Ok(self.statement.terms_mut().symbol(symbol));
         }
         if !name.mark.is_empty() {
@@ -1397,8 +1421,8 @@ impl<'a> Builder<'a> {
         let (explicit, mut steps): (Vec<_>, Vec<_>) = self
             .map_steps()?
             .into_iter()
-            .partition(|(_, step)| !step.equations.is_empty());
-        let leads = |step: &Step| step.of.contains(&above) && step.by.contains(&below);
+            .partition(|(_, step)| !step.implicit.equations.is_empty());
+        let leads = |step: &MapStep| step.implicit.of.contains(&above) && step.implicit.by.contains(&below);
         if explicit.iter().any(|(_, step)| leads(step)) {
             steps.retain(|(_, step)| self.is_led_to(step));
         }
@@ -1411,30 +1435,34 @@ impl<'a> Builder<'a> {
     }
 
     /// Whether a premise says something of what a map gives.
-    fn is_led_to(&mut self, step: &Step) -> bool {
+    fn is_led_to(&mut self, step: &MapStep) -> bool {
         let mut spoken = self.spoken.clone().into_iter();
-        self.has_flight || spoken.any(|name| self.quantity(&name).is_some_and(|symbol| step.of.contains(&symbol)))
+        self.has_flight
+            || spoken.any(|name| {
+                self.quantity(&name)
+                    .is_some_and(|symbol| step.implicit.of.contains(&symbol))
+            })
     }
 
     /// The derivative of one quantity by another: 1 and 0 among those a map starts from, by the chain rule where
     /// impacts lie between.
-    fn entry(&mut self, of: Symbol, by: Symbol, steps: &[(Name, Step)], left: usize) -> Option<Term> {
-        let here: Vec<&Step> = steps
+    fn entry(&mut self, of: Symbol, by: Symbol, steps: &[(Name, MapStep)], left: usize) -> Option<Term> {
+        let here: Vec<&MapStep> = steps
             .iter()
             .map(|(_, step)| step)
-            .filter(|step| step.by.contains(&by))
+            .filter(|step| step.implicit.by.contains(&by))
             .collect();
-        if here.iter().any(|step| step.by.contains(&of)) {
+        if here.iter().any(|step| step.implicit.by.contains(&of)) {
             return Some(self.statement.terms_mut().integer(i64::from(of == by)));
         }
-        if let Some(step) = here.iter().find(|step| step.of.contains(&of)) {
+        if let Some(step) = here.iter().find(|step| step.implicit.of.contains(&of)) {
             return Some(self.slope(of, by, step));
         }
         if left == 0 {
             return None;
         }
         for step in here {
-            let chained = step.of.iter().map(|&between| {
+            let chained = step.implicit.of.iter().map(|&between| {
                 let inner = self.slope(between, by, step);
                 let outer = self.entry(of, between, steps, left - 1)?;
                 Some(self.statement.terms_mut().product(vec![outer, inner]))
@@ -1447,8 +1475,8 @@ impl<'a> Builder<'a> {
     }
 
     /// A derivative along one map: a symbol of its own, or the derivative of what the map says outright.
-    fn slope(&mut self, of: Symbol, by: Symbol, step: &Step) -> Term {
-        let place = step.of.iter().position(|&known| known == of);
+    fn slope(&mut self, of: Symbol, by: Symbol, step: &MapStep) -> Term {
+        let place = step.implicit.of.iter().position(|&known| known == of);
         let Some(&image) = place.and_then(|place| step.images.get(place)) else {
             let partial = self.statement.partial(of, by);
             return self.statement.terms_mut().symbol(partial);
@@ -1457,31 +1485,26 @@ impl<'a> Builder<'a> {
         self.follows(step);
         // the derivative of an equation that holds at single points only says nothing
         let domain = self.statement.domain(image);
-        let near = self.statement.holding_near(&domain, &[image], &Statement::moves_along);
+        let near = self.statement.holding_near(&domain, &[image], &Statement::depends);
         let origin = Origin::DerivativesExist(self.statement.terms().symbol_name(of).to_owned());
         for (property, of) in near.unwrap_or_default() {
             self.push(origin.clone(), property, of, None);
         }
-        self.statement.along(image, step, by)
+        self.statement.along(image, &step.implicit, by)
     }
 
     /// Lists an explicit map among those that derivatives are taken along.
-    fn follows(&mut self, step: &Step) {
-        if self
-            .statement
-            .outright_maps()
-            .iter()
-            .all(|known| known.name != step.name)
-        {
-            self.statement.parts().outright.push(step.clone());
+    fn follows(&mut self, step: &MapStep) {
+        if self.outright.iter().all(|known| known.name != step.name) {
+            self.outright.push(step.clone());
         }
     }
 
     fn invariant(&mut self, kind: Invariant, of: &Name, at: usize) -> Result<Term, Unreadable> {
         if self.opaque {
-            let quantity = Quantity::Invariant { kind, of: of.clone() };
+            let named = Named::Invariant { kind, of: of.clone() };
             let word = if kind == Invariant::Trace { "Tr" } else { "Det" };
-            let symbol = self.statement.symbol_of(quantity, || format!("{word}({of})"));
+            let symbol = self.symbol(named, Quantity::Fixed, format!("{word}({of})"));
             return Ok(self.statement.terms_mut().symbol(symbol));
         }
         let steps = self.map_steps()?;
@@ -1506,15 +1529,17 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn matrix(&mut self, name: &Name, steps: &[(Name, Step)], left: usize) -> Option<Vec<Vec<Term>>> {
+    fn matrix(&mut self, name: &Name, steps: &[(Name, MapStep)], left: usize) -> Option<Vec<Vec<Term>>> {
         if let Some((_, step)) = steps.iter().find(|(known, _)| known == name) {
-            let shares = |other: &Step| other.of.iter().any(|of| step.of.contains(of));
-            let is_rival = |(_, other): &(Name, Step)| !other.equations.is_empty() && shares(other);
-            if step.equations.is_empty() && steps.iter().any(is_rival) && !self.is_led_to(step) {
+            let shares = |other: &Implicit| other.of.iter().any(|of| step.implicit.of.contains(of));
+            let is_rival =
+                |(_, other): &(Name, MapStep)| !other.implicit.equations.is_empty() && shares(&other.implicit);
+            if step.implicit.equations.is_empty() && steps.iter().any(is_rival) && !self.is_led_to(step) {
                 return None;
             }
-            let row = |of: &Symbol| step.by.iter().map(|by| self.slope(*of, *by, step)).collect();
-            return Some(step.of.iter().map(row).collect());
+            let own = &step.implicit;
+            let row = |of: &Symbol| own.by.iter().map(|by| self.slope(*of, *by, step)).collect();
+            return Some(own.of.iter().map(row).collect());
         }
         let map = self.symbols.map(name)?;
         let Map::Product(factors) = map else { return None };
@@ -1554,16 +1579,19 @@ impl<'a> Builder<'a> {
     }
 
     /// The maps whose derivatives are symbols of their own: what they take to what.
-    fn map_steps(&mut self) -> Result<Vec<(Name, Step)>, Unreadable> {
+    fn map_steps(&mut self) -> Result<Vec<(Name, MapStep)>, Unreadable> {
         let mut steps = self.implied.clone();
         for (name, map) in self.symbols.maps() {
             let step = match map {
                 Map::Product(_) => continue,
-                Map::Premises { of, by } => Step {
+                Map::Premises { of, by } => MapStep {
                     name: name.to_string(),
-                    of: self.quantities(of, name)?,
-                    by: self.quantities(by, name)?,
-                    ..Step::default()
+                    implicit: Implicit {
+                        of: self.quantities(of, name)?,
+                        by: self.quantities(by, name)?,
+                        equations: Vec::new(),
+                    },
+                    ..MapStep::default()
                 },
                 Map::Equations(equations) => self.explicit(equations, name)?,
             };
@@ -1582,16 +1610,16 @@ impl<'a> Builder<'a> {
     }
 
     /// The map from the first impact that its equations name to the last: times before states, as declared.
-    fn explicit(&mut self, equations: &[Equation], map: &Name) -> Result<Step, Unreadable> {
+    fn explicit(&mut self, equations: &[Equation], map: &Name) -> Result<MapStep, Unreadable> {
         let named: BTreeSet<Name> = equations.iter().flat_map(names_in).collect();
         let mut order: Vec<(i32, usize, Symbol)> = Vec::new();
         for name in named {
             if let Some(symbol) = self.quantity(&name) {
-                let found = match self.statement.quantity(symbol) {
-                    Some(Quantity::Time { index, .. }) => (*index, 0),
-                    Some(Quantity::State { state, index, .. }) => {
-                        let rank = self.symbols.states().position(|known| known == state);
-                        (*index, rank.unwrap_or(0) + 1)
+                let found = match self.names.of(&self.statement, symbol) {
+                    Some(Named::Time { index, .. }) => (index, 0),
+                    Some(Named::State { state, index, .. }) => {
+                        let rank = self.symbols.states().position(|known| *known == state);
+                        (index, rank.unwrap_or(0) + 1)
                     }
                     _ => continue,
                 };
@@ -1621,34 +1649,34 @@ impl<'a> Builder<'a> {
             let (_, term) = self.relation(equation)?;
             rows.push((Origin::Table(format!("the map {map}")), term));
         }
-        let mut step = Step {
-            name: map.to_string(),
+        let implicit = Implicit {
             of: side(last),
             by: side(first),
             equations: rows,
-            ..Step::default()
         };
-        let images: Option<Vec<Term>> = step.of.iter().map(|&of| self.image(of, equations, &step)).collect();
-        step.images = images.unwrap_or_default();
-        step.conditions = std::mem::replace(&mut self.brought, brought);
-        step.real_only = std::mem::replace(&mut self.real_only, real_only);
-        Ok(step)
+        let images: Option<Vec<Term>> = (implicit.of.iter())
+            .map(|&of| self.image(of, equations, &implicit))
+            .collect();
+        Ok(MapStep {
+            name: map.to_string(),
+            implicit,
+            images: images.unwrap_or_default(),
+            conditions: std::mem::replace(&mut self.brought, brought),
+            real_only: std::mem::replace(&mut self.real_only, real_only),
+        })
     }
 
     /// What a quantity is, where one of the equations says so outright.
-    fn image(&mut self, of: Symbol, equations: &[Equation], step: &Step) -> Option<Term> {
+    fn image(&mut self, of: Symbol, equations: &[Equation], implicit: &Implicit) -> Option<Term> {
         let mut outright = equations.iter().filter_map(|equation| {
             let left = self.tree(&equation.left).ok()?;
             let is_outright =
                 equation.relation == Relation::Equal && *self.statement.terms().node(left) == Node::Symbol(of);
             is_outright.then(|| self.tree(&equation.right).ok()).flatten()
         });
-        let image = outright.next().filter(|_| equations.len() == step.of.len())?;
+        let image = outright.next().filter(|_| equations.len() == implicit.of.len())?;
         let written = self.statement.written_out(image);
-        let moves = |symbol: Symbol| {
-            let quantity = self.statement.quantity(symbol);
-            matches!(quantity, Some(Quantity::Time { .. } | Quantity::State { .. })) && !step.by.contains(&symbol)
-        };
+        let moves = |symbol: Symbol| self.statement.depends(symbol) && !implicit.by.contains(&symbol);
         let mut inside = self.statement.terms().inside(written).into_iter();
         let moved =
             inside.any(|inner| matches!(self.statement.terms().node(inner), Node::Symbol(symbol) if moves(*symbol)));
@@ -1672,9 +1700,9 @@ impl<'a> Builder<'a> {
                 false
             });
         }
-        let place = |quantity: &Quantity| match quantity {
-            Quantity::Time { index, .. } => Some((*index, false)),
-            Quantity::State { index, after, .. } => Some((*index, *after)),
+        let place = |named: &Named| match named {
+            Named::Time { index, .. } => Some((*index, false)),
+            Named::State { index, after, .. } => Some((*index, *after)),
             _ => None,
         };
         let premises = statements.premises.iter().map(|premise| &premise.equation);
@@ -1692,26 +1720,32 @@ impl<'a> Builder<'a> {
             }
             let ends = [of, by].map(|name| {
                 let symbol = self.quantity(&name)?;
-                self.statement.quantity(symbol).and_then(place)
+                place(&self.names.of(&self.statement, symbol)?)
             });
             let [Some((last, false)), Some((first, false))] = ends else {
                 continue;
             };
-            let named = || (0_u32..).map(Symbol).zip(self.statement.quantities());
+            let all = (0..self.statement.quantities().len()).map(symbol);
+            let all = all.filter_map(|symbol| Some((symbol, place(&self.names.of(&self.statement, symbol)?)?)));
+            let all: Vec<(Symbol, (i32, bool))> = all.collect();
             let at = |index: i32| -> Vec<Symbol> {
-                let there = named().filter(|(_, quantity)| place(quantity) == Some((index, false)));
-                there.map(|(symbol, _)| symbol).collect()
+                let there = all.iter().filter(|(_, place)| *place == (index, false));
+                there.map(|(symbol, _)| *symbol).collect()
             };
             // what an impact changes is not told apart here
-            let is_plain = named().all(|(_, quantity)| place(quantity).is_none_or(|(_, after)| !after));
-            let step = Step {
+            let is_plain = all.iter().all(|(_, (_, after))| !after);
+            let implicit = Implicit {
                 of: at(last),
                 by: at(first),
                 equations: Vec::new(),
-                ..Step::default()
             };
-            let known = |(_, known): &(Name, Step)| known.of == step.of && known.by == step.by;
+            let known =
+                |(_, known): &(Name, MapStep)| known.implicit.of == implicit.of && known.implicit.by == implicit.by;
             if last == first + 1 && is_plain && !self.implied.iter().any(known) {
+                let step = MapStep {
+                    implicit,
+                    ..MapStep::default()
+                };
                 self.implied.push((Name::default(), step));
             }
         }
@@ -1726,19 +1760,19 @@ impl<'a> Builder<'a> {
         let implied = self.implied.len();
         let steps = (0..).zip(self.map_steps()?);
         let steps = steps.filter(|(number, (name, _))| *number < implied || statements.maps.contains(name));
-        let steps: Vec<(Name, Step)> = steps.map(|(_, step)| step).collect();
+        let steps: Vec<(Name, MapStep)> = steps.map(|(_, step)| step).collect();
         for (number, (name, step)) in steps.iter().enumerate() {
             let others = steps.iter().enumerate().filter(|(other, _)| *other != number);
             let mut others = others.map(|(_, other)| other);
-            let rival = others.find(|(_, other)| other.of.iter().any(|of| step.of.contains(of)));
+            let rival = others.find(|(_, other)| other.implicit.of.iter().any(|of| step.implicit.of.contains(of)));
             let mut step = step.clone();
             self.real_only |= step.real_only;
             match rival {
-                _ if step.equations.is_empty() => {
-                    step.equations = determining(&mut self.statement, &step, &self.pointwise);
+                _ if step.implicit.equations.is_empty() => {
+                    step.implicit.equations = determining(&mut self.statement, &step.implicit, &self.pointwise);
                 }
                 None => {
-                    for (origin, term) in step.equations.clone() {
+                    for (origin, term) in step.implicit.equations.clone() {
                         self.give(origin, Property::Zero, term, step.conditions.clone());
                     }
                 }
@@ -1751,7 +1785,10 @@ impl<'a> Builder<'a> {
                 Some(_) => {}
             }
             match step.images.is_empty() {
-                true => self.statement.parts().steps.push(step),
+                true => {
+                    self.statement.parts().implicit.push(step.implicit.clone());
+                    self.maps.push(step);
+                }
                 false => self.follows(&step),
             }
         }
@@ -1770,11 +1807,11 @@ impl<'a> Builder<'a> {
                 if let Node::Symbol(symbol) = self.statement.terms().node(inner)
                     && let Some(Quantity::Partial { of, .. }) = self.statement.quantity(*symbol)
                 {
-                    partials.insert(*of);
+                    partials.insert(of);
                 }
             }
         }
-        for step in self.statement.steps().to_vec() {
+        for step in self.statement.implicit().to_vec() {
             let is_determined = step.equations.len() == step.of.len();
             if is_determined && step.of.iter().any(|of| partials.contains(of)) {
                 let term = slope_determinant(&mut self.statement, &step);
@@ -1788,6 +1825,11 @@ impl<'a> Builder<'a> {
             }
         }
     }
+}
+
+/// The symbol with this number.
+fn symbol(number: usize) -> Symbol {
+    Symbol(u32::try_from(number).unwrap_or(u32::MAX))
 }
 
 /// The symbols that an equation writes.
@@ -1838,19 +1880,4 @@ fn begins_with_d(tree: &Tree) -> bool {
         Tree::Product(parts) => parts.first().is_some_and(begins_with_d),
         _ => false,
     }
-}
-
-/// A state without its dots, and their number.
-fn undotted(state: &Name) -> (Name, u32) {
-    let mut root = state.clone();
-    let dots = match root.accents.last().map(String::as_str) {
-        Some(r"\dot") => 1,
-        Some(r"\ddot") => 2,
-        Some(r"\dddot") => 3,
-        _ => 0,
-    };
-    if dots > 0 {
-        root.accents.pop();
-    }
-    (root, dots)
 }

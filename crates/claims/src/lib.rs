@@ -27,6 +27,7 @@ mod function;
 mod functional;
 mod implication;
 mod kinds;
+mod naming;
 mod paper;
 mod premise;
 mod reduce;
@@ -39,10 +40,11 @@ mod words;
 
 pub use definition::Local;
 pub use document::{Document, Include, Markup, PrintedNumber};
-pub use elaborate::{Question, Unreadable, questions};
+pub use elaborate::{MapStep, Question, Unreadable, questions};
 pub use entry::{Entry, Role, Standing};
 pub use fault::{Fault, Source};
 pub use fingerprint::Fingerprint;
+pub use naming::{Named, Names};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{

@@ -3,7 +3,7 @@
 use super::functional::{Mean, has_sums, mean, with_sums};
 use super::premise::Statements;
 use super::reduce::infinity;
-use kernel::{Letter, Word, WordQuestion, Words, has_arrow};
+use kernel::{Letter, Word, WordQuestion, Words};
 use num_traits::One;
 use numbers::Rational;
 use std::collections::{BTreeMap, BTreeSet};
@@ -592,19 +592,13 @@ impl<'a> Reader<'a> {
 
     /// Returns true for a letter that is a vector, and no matrix.
     fn is_vector(&self, letter: &Letter) -> bool {
-        is_vector(letter) && (self.has_columns || has_arrow(letter))
+        is_vector(letter) && (self.has_columns || letter.is_vector)
     }
 
     /// The vector that a tree is, or is the length of.
     fn vector_within<'t>(&self, tree: &'t Tree) -> Option<&'t Tree> {
         match tree {
-            Tree::Symbol(name, _) => {
-                let letter = Letter {
-                    name: name.to_string(),
-                    is_transposed: false,
-                };
-                self.is_vector(&letter).then_some(tree)
-            }
+            Tree::Symbol(name, _) => self.is_vector(&letter_of(name.to_string())).then_some(tree),
             Tree::Call(name, of, _) if name.base == r"\abs" => self.vector_within(of),
             _ => None,
         }
@@ -695,15 +689,23 @@ fn scalar(name: &str) -> Words {
     )
 }
 
-fn letter(name: &str) -> Words {
-    let letter = Letter {
-        name: name.to_owned(),
+/// Accents of vectors.
+const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
+
+/// The factor of a name; under an arrow it is a vector.
+fn letter_of(name: String) -> Letter {
+    Letter {
+        is_vector: ARROWS.iter().any(|arrow| name.contains(arrow)),
+        name,
         is_transposed: false,
-    };
+    }
+}
+
+fn letter(name: &str) -> Words {
     Words::of(
         Word {
             scalars: BTreeMap::new(),
-            letters: vec![letter],
+            letters: vec![letter_of(name.to_owned())],
         },
         Rational::one(),
     )
@@ -741,7 +743,7 @@ fn is_vector(letter: &Letter) -> bool {
         of.trim_start_matches(['{', ' '])
             .starts_with(|c: char| c.is_ascii_lowercase())
     };
-    !letter.is_transposed && (has_arrow(letter) || of.is_some_and(begins_small))
+    !letter.is_transposed && (letter.is_vector || of.is_some_and(begins_small))
 }
 
 /// The characters around the sign of a bound letter.

@@ -17,7 +17,7 @@ pub struct Certificate {
 /// Where a law comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LawSource {
-    /// A given law, its impacts moved on.
+    /// A given law, its index moved on.
     Given { given: usize, shift: i32 },
     /// A law that an earlier step derived, by its number.
     Derived(usize),
@@ -97,14 +97,18 @@ pub enum Inference {
         of: Term,
         time: Symbol,
         at: Term,
-        /// The flight that the law is for; none for the whole real line.
-        flight: Option<i32>,
+        /// The interval that the law is for; none for the whole real line.
+        interval: Option<i32>,
         steps: Vec<Inference>,
     },
     /// A term in generic symbols alone is not 0: a thin set is excluded. The point of a proof must lie outside it.
     Generic(Term),
-    /// The premises that determine a map, differentiated along it: the number of the map, of the premise, and by what.
-    Along { map: usize, equation: usize, by: Symbol },
+    /// An equation that determines implicit quantities, differentiated by one that these depend on.
+    Along {
+        implicit: usize,
+        equation: usize,
+        by: Symbol,
+    },
 }
 
 impl Inference {

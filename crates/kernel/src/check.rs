@@ -5,7 +5,7 @@ use super::boxes;
 use super::certificate::{Certificate, Inference, LawSource, Summand};
 use super::expand::{Expansion, Refusal, vanishes};
 use super::polynomial::Polynomial;
-use super::statement::{Instance, Property, Statement};
+use super::statement::{Instance, Property, Quantity, Statement};
 use super::term::{Node, Symbol, Term};
 use num_traits::Zero;
 use numbers::Rational;
@@ -26,7 +26,7 @@ struct Derived {
     conditions: Vec<(Property, Term)>,
     /// What the laws that this one was derived from need to have values.
     domain: Vec<(Property, Term)>,
-    flight: Option<i32>,
+    interval: Option<i32>,
 }
 
 /// What is known while the steps of a certificate are followed.
@@ -37,7 +37,7 @@ pub struct Checker<'a> {
     laws: Vec<Derived>,
     /// Properties of terms that are given as they stand.
     assumed: HashSet<(Property, Term)>,
-    /// A symbol that runs over a flight within the steps of a `Constant`.
+    /// A symbol that runs over an interval within the steps of a `Constant`.
     running: Option<(Symbol, i32)>,
     /// Whether 0 = 1 is known: in a case that cannot be.
     absurd: bool,
@@ -106,7 +106,7 @@ impl<'a> Checker<'a> {
         self.add(property, polynomial);
     }
 
-    /// Takes a symbol as one that runs over a flight; gives the one that ran before.
+    /// Takes a symbol as one that runs over an interval; gives the one that ran before.
     pub fn run_over(&mut self, running: Option<(Symbol, i32)>) -> Option<(Symbol, i32)> {
         std::mem::replace(&mut self.running, running)
     }
@@ -306,11 +306,11 @@ impl<'a> Checker<'a> {
                 of,
                 time,
                 at,
-                flight,
+                interval,
                 steps,
-            } => self.constant(*of, *time, *at, *flight, steps),
+            } => self.constant(*of, *time, *at, *interval, steps),
             Inference::Generic(term) => self.generic(*term),
-            Inference::Along { map, equation, by } => self.along(*map, *equation, *by),
+            Inference::Along { implicit, equation, by } => self.along(*implicit, *equation, *by),
         }
     }
 
@@ -366,33 +366,31 @@ impl<'a> Checker<'a> {
         self.conclude(Property::Nonzero, term)
     }
 
-    /// Differentiates an equation of a map along it.
-    fn along(&mut self, map: usize, equation: usize, by: Symbol) -> Outcome<()> {
-        let step = self.statement.steps.get(map).cloned();
-        let Some((step, (_, term))) = step.and_then(|step| Some((step.clone(), step.equations.get(equation)?.clone())))
-        else {
-            return refused("there is no such map or equation");
+    /// Differentiates an equation of implicit quantities by one that these depend on.
+    fn along(&mut self, number: usize, equation: usize, by: Symbol) -> Outcome<()> {
+        let Some(implicit) = self.statement.implicit.get(number).cloned() else {
+            return refused("there are no such implicit quantities");
         };
-        if !step.by.contains(&by) {
-            return refused("a map is differentiated by what it starts from");
+        let Some((_, term)) = implicit.equations.get(equation) else {
+            return refused("there is no such equation of implicit quantities");
+        };
+        if !implicit.by.contains(&by) {
+            return refused("implicit quantities are differentiated by what they depend on");
         }
-        let written = self.statement.written_out(term);
+        let written = self.statement.written_out(*term);
         if !self.statement.is_smooth_along(written) {
-            return refused("an equation of a map is not differentiated");
+            return refused("an equation of implicit quantities is not differentiated");
         }
         let by_term = self.statement.terms.symbol(by);
         if self.assumed.contains(&(Property::Integer, by_term)) {
-            return refused("a map is differentiated by an integer");
+            return refused("implicit quantities are differentiated by an integer");
         }
-        let slope = self.statement.along(term, &step, by);
-        self.defined(&[term, slope])?;
+        let slope = self.statement.along(*term, &implicit, by);
+        self.defined(&[*term, slope])?;
         // where the equation has a value at single points only, its derivative says nothing
         let domain = self.statement.domain(written);
-        let Some(near) = self
-            .statement
-            .holding_near(&domain, &[written], &Statement::moves_along)
-        else {
-            return refused("an equation of a map does not hold on an open set");
+        let Some(near) = self.statement.holding_near(&domain, &[written], &Statement::depends) else {
+            return refused("an equation of implicit quantities does not hold on an open set");
         };
         for (property, of) in near {
             self.need(property, of)?;
@@ -626,9 +624,7 @@ impl<'a> Checker<'a> {
                 let Some(at) = at else {
                     return refused("a derived law needs a time");
                 };
-                if let Some(flight) = law.flight {
-                    self.within(at, flight)?;
-                }
+                self.within(at, law.interval)?;
                 let time = Some((law.time, at));
                 let term = self.statement.moved(law.term, time, 0);
                 let mut conditions = self.statement.domain(term);
@@ -646,28 +642,18 @@ impl<'a> Checker<'a> {
 
     /// A real number, or a symbol of the certificate: what holds of such a symbol is said of real numbers only.
     fn is_time(&self, at: Term) -> bool {
-        let fresh = match self.statement.terms.node(at) {
-            Node::Symbol(symbol) => matches!(
-                self.statement.quantity(*symbol),
-                Some(super::statement::Quantity::Fresh(_))
-            ),
+        let is_fresh = match self.statement.terms.node(at) {
+            Node::Symbol(symbol) => self.statement.quantity(*symbol) == Some(Quantity::Fresh),
             _ => false,
         };
-        fresh || self.statement.is_real(at)
+        is_fresh || self.statement.is_real(at)
     }
 
-    /// The time is one of a flight: of its ends, or a symbol that runs over it.
-    fn within(&self, at: Term, flight: i32) -> Outcome<()> {
-        let Node::Symbol(symbol) = self.statement.terms.node(at) else {
-            return refused("no time of the flight");
-        };
-        let end = |index: i32| self.statement.times.get(&index) == Some(symbol);
-        let running = self.running == Some((*symbol, flight))
-            || (self.statement.flight == Some(flight)
-                && self.statement.quantity(*symbol) == Some(&super::statement::Quantity::Running));
-        match end(flight) || end(flight + 1) || running {
+    /// Refuses what is no time of the interval that a law is for.
+    fn within(&self, at: Term, interval: Option<i32>) -> Outcome<()> {
+        match interval.is_none_or(|interval| self.statement.is_within(at, interval, self.running)) {
             true => Ok(()),
-            false => refused("no time of the flight"),
+            false => refused("no time of the interval"),
         }
     }
 
@@ -685,7 +671,7 @@ impl<'a> Checker<'a> {
                     return refused("the law does not extend so far");
                 }
                 match given.law {
-                    Some(law) if given.property == Property::Zero && (shift == 0 || law.every_impact) => {
+                    Some(law) if given.property == Property::Zero && (shift == 0 || law.every_index) => {
                         let Some(time) = law.time else {
                             return refused("the law does not run over a time");
                         };
@@ -704,7 +690,7 @@ impl<'a> Checker<'a> {
                             term,
                             conditions,
                             domain: Vec::new(),
-                            flight: law.flight.map(|flight| flight + shift),
+                            interval: law.interval.map(|interval| interval + shift),
                         })
                     }
                     _ => refused("the given is no law that says what vanishes"),
@@ -715,10 +701,7 @@ impl<'a> Checker<'a> {
 
     /// Checks that a symbol runs: nothing may be known of it.
     fn runs_freely(&mut self, time: Symbol) -> Outcome<()> {
-        if !matches!(
-            self.statement.quantity(time),
-            Some(super::statement::Quantity::Fresh(_))
-        ) {
+        if self.statement.quantity(time) != Some(Quantity::Fresh) {
             return refused("the time of a law is a symbol of the statement");
         }
         let speaks = |fact: &Fact, statement: &Statement| {
@@ -745,13 +728,18 @@ impl<'a> Checker<'a> {
         Ok(())
     }
 
-    fn constant(&mut self, of: Term, time: Symbol, at: Term, flight: Option<i32>, steps: &[Inference]) -> Outcome<()> {
+    fn constant(
+        &mut self,
+        of: Term,
+        time: Symbol,
+        at: Term,
+        interval: Option<i32>,
+        steps: &[Inference],
+    ) -> Outcome<()> {
         self.runs_freely(time)?;
-        if let Some(flight) = flight {
-            self.within(at, flight)?;
-            if self.statement.terms.node(at) == &Node::Symbol(time) {
-                return refused("the constant is taken at the running time");
-            }
+        self.within(at, interval)?;
+        if interval.is_some() && self.statement.terms.node(at) == &Node::Symbol(time) {
+            return refused("the constant is taken at the running time");
         }
         let of = self.statement.written_out(of);
         if !self.statement.is_differentiable(of, &|symbol| symbol == time) {
@@ -759,7 +747,7 @@ impl<'a> Checker<'a> {
         }
         let slope = self.statement.derivative(of, time);
         let (facts, laws, absurd) = (self.facts.len(), self.laws.len(), self.absurd);
-        let outer = std::mem::replace(&mut self.running, flight.map(|flight| (time, flight)));
+        let outer = std::mem::replace(&mut self.running, interval.map(|interval| (time, interval)));
         let shown = self.follow(steps).and_then(|()| {
             self.defined(&[of, slope])?;
             self.need(Property::Zero, slope)
@@ -777,7 +765,7 @@ impl<'a> Checker<'a> {
             term,
             conditions: Vec::new(),
             domain: Vec::new(),
-            flight,
+            interval,
         });
         Ok(())
     }

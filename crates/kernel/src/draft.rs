@@ -1,12 +1,11 @@
 //! Statements while they are made, by what gives notation its meaning.
 
 use super::expand::Derivatives;
-use super::statement::{Given, Property, Statement, Step};
+use super::statement::{Given, Implicit, Piecewise, Property, Sequence, Statement};
 use super::term::{Symbol, Term};
 use std::collections::BTreeMap;
 use std::ops::{Deref, DerefMut};
 use std::sync::atomic::{AtomicU64, Ordering};
-use texmath::Name;
 
 /// A statement in the making. It can be added to until it is finished; then nothing given and no goal can be changed.
 #[derive(Clone, Debug, Default)]
@@ -24,24 +23,28 @@ pub struct Parts<'a> {
     /// Symbols that are declared complex, those declared generic.
     pub complex_symbols: &'a mut Vec<Symbol>,
     pub generic: &'a mut Vec<Symbol>,
-    pub steps: &'a mut Vec<Step>,
-    /// The explicit maps whose derivatives are those of their right sides.
-    pub outright: &'a mut Vec<Step>,
+    /// The quantities whose derivatives by others the statement speaks of.
+    pub implicit: &'a mut Vec<Implicit>,
     /// Terms that the claim writes besides, and that so must have a value.
     pub beside: &'a mut Vec<Term>,
-    /// The flight that the running time of the claim is in.
-    pub flight: &'a mut Option<i32>,
+    /// The offset of the interval that the running time of the claim is in.
+    pub interval: &'a mut Option<i32>,
 }
 
 impl Draft {
-    /// A draft in which these states may be named at impacts, which this letter numbers; an impact does not change those that are
-    /// `continuous`.
-    pub fn new(complex: bool, states: Vec<Name>, continuous: Vec<Name>, letter: String) -> Self {
+    /// A draft about these sequences and functions on intervals. A derivative of one quantity by another has the texts
+    /// `derivative_text` before, between and after theirs.
+    pub fn new(
+        complex: bool,
+        sequences: Vec<Sequence>,
+        piecewise: Vec<Piecewise>,
+        derivative_text: [String; 3],
+    ) -> Self {
         Self(Statement {
             complex,
-            states,
-            continuous,
-            letter,
+            sequences,
+            piecewise,
+            derivative_text,
             ..Statement::default()
         })
     }
@@ -57,10 +60,9 @@ impl Draft {
             derivatives: &mut own.derivatives,
             complex_symbols: &mut own.complex_symbols,
             generic: &mut own.generic,
-            steps: &mut own.steps,
-            outright: &mut own.outright,
+            implicit: &mut own.implicit,
             beside: &mut own.beside,
-            flight: &mut own.flight,
+            interval: &mut own.interval,
         }
     }
 

@@ -1,16 +1,17 @@
-//! Determinants of maps that are given implicitly.
+//! Determinants of quantities that are given implicitly.
 
-use super::statement::{Statement, Step};
+use super::statement::{Implicit, Statement};
 use super::term::Term;
 
-/// The determinant of the slopes of the determining terms by what the map gives: where it is not 0, the map has
+/// The determinant of the slopes of the determining terms by the implicit quantities: where it is not 0, these have
 /// derivatives (implicit function theorem).
-pub fn slope_determinant(statement: &mut Statement, step: &Step) -> Term {
-    let equations = step.equations.clone();
-    let matrix: Vec<Vec<Term>> = equations
-        .iter()
-        .map(|(_, term)| step.of.iter().map(|&of| statement.derivative(*term, of)).collect())
-        .collect();
+pub fn slope_determinant(statement: &mut Statement, implicit: &Implicit) -> Term {
+    let equations = implicit.equations.iter();
+    let matrix = equations.map(|(_, term)| {
+        let row = implicit.of.iter().map(|&of| statement.derivative(*term, of));
+        row.collect()
+    });
+    let matrix: Vec<Vec<Term>> = matrix.collect();
     determinant(statement, &matrix)
 }
 

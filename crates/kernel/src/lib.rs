@@ -2,8 +2,8 @@
 //!
 //! The kernel: the statement of a claim, and the certificates and witnesses that decide it.
 //!
-//! Nothing else can make a [`Proved`] or a [`Refuted`]. Trusted are the reader of TeX, the symbol table, this crate, and
-//! of `numbers` the exact [`Rational`](numbers::Rational) and the enclosures [`Interval`](numbers::Interval)
+//! Nothing else can make a [`Proved`] or a [`Refuted`]. Trusted are what makes statements, this crate, and of `numbers`
+//! the exact [`Rational`](numbers::Rational) and the enclosures [`Interval`](numbers::Interval)
 //! over [`Wide`](numbers::Wide) with their `sqrt`, `sincos`, `acos`, `atan2`, `bounded_exp` and `bounded_ln`.
 //! Whatever searches for a certificate is not trusted.
 
@@ -46,11 +46,12 @@ pub use expand::{Derivatives, Expansion, Quotient, Refusal, vanishes};
 pub use implicit::{determinant, slope_determinant};
 pub use polynomial::{Monomial, Polynomial, product};
 pub use statement::{
-    DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Origin, Property, Quantity, Statement, Step, is_letter,
+    DERIVATIVES_EXIST, FunctionOf, Given, Implicit, Instance, Law, Origin, Piecewise, Property, Quantity, Sequence,
+    Statement,
 };
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
 pub use verdict::{
     EFFORT, Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
 };
 pub use witness::{At, Witness};
-pub use words::{Letter, Word, WordMultiple, WordProof, WordQuestion, WordSource, Words, has_arrow, prove_in_words};
+pub use words::{Letter, Word, WordMultiple, WordProof, WordQuestion, WordSource, Words, prove_in_words};

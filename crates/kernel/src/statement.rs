@@ -4,12 +4,11 @@ use super::expand::{Derivatives, derivative, value};
 use super::term::{Elementary, Function, Node, Symbol, Term, Terms};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use texmath::{Invariant, Name};
 
 /// The source of a given.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
-    /// A premise or an equation of a map, with its label.
+    /// A premise or an equation of the symbol table, with its label.
     Premise(String),
     /// A condition for the premise of this label to be defined.
     DomainOf(String),
@@ -21,9 +20,9 @@ pub enum Origin {
     Declared(String),
     /// The derivative, the period or the relation that the symbol table gives.
     Table(String),
-    /// The condition that derivatives of these quantities along a map exist, which a proof takes for granted.
+    /// The condition that derivatives of these implicit quantities exist, which a proof takes for granted.
     DerivativesExist(String),
-    /// A condition on a map or a flight that a witness brings along.
+    /// A condition on what is implicit or on a function of an interval that a witness brings along.
     Witness(&'static str),
 }
 
@@ -55,53 +54,56 @@ pub enum Property {
 }
 
 /// What a symbol stands for.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
-    Parameter(Name),
+    /// A number that is the same at every time and every index.
+    Parameter,
+    /// The index of sequences itself.
+    Index,
     /// The running time.
     Running,
-    /// The time of an impact, or a state just before it or just after it.
-    Time {
-        family: Name,
-        index: i32,
-    },
-    State {
-        state: Name,
-        index: i32,
-        after: bool,
-    },
-    /// A state at an index that is a number, as in `x_0`, while the index of the statement runs. Recursions are not
-    /// followed to it: no witness gives it a value.
-    Absolute {
-        state: Name,
-        index: i32,
-    },
-    /// The derivative of one quantity by another along a map.
-    Partial {
-        of: Symbol,
-        by: Symbol,
-    },
-    /// The trace or determinant of a map of which no premise says anything.
-    Invariant {
-        kind: Invariant,
-        of: Name,
-    },
-    /// A symbol that is defined beside an equation; the number tells such symbols of different equations apart.
-    Local {
-        name: Name,
-        scope: usize,
-    },
+    /// The member of a sequence, by its number, at the index plus `offset`.
+    Member { sequence: usize, offset: i32 },
+    /// A member of a sequence at an index that is a number, as in `x_0`, while the index of the statement runs. Recursions
+    /// are not followed to it: no witness gives it a value.
+    Numbered,
+    /// The derivative of an implicit quantity by one that it depends on.
+    Partial { of: Symbol, by: Symbol },
+    /// A number that belongs to one index, of which nothing is said at others.
+    Fixed,
+    /// A symbol that is defined: for all of the statement, or beside one equation only.
+    Abbreviation { is_local: bool },
     /// A symbol that a certificate or a witness brings along.
-    Fresh(usize),
+    Fresh,
 }
 
 /// What an unknown function is a function of.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FunctionOf {
-    /// A declared function of the real line.
-    Line(Name),
-    /// A state, without dots, in the flight that follows this impact.
-    Flight { state: Name, impact: i32 },
+    /// The real line.
+    Line,
+    /// The interval from the instant at the index plus `offset` to the next, of the piecewise function with this number.
+    Interval { piecewise: usize, offset: i32 },
+}
+
+/// A sequence of real or complex numbers, or of instants, over all integers from some start.
+#[derive(Clone, Debug, Default)]
+pub struct Sequence {
+    /// The text of its member at the index, and those before and after the offset of other members.
+    pub text: [String; 3],
+    /// True for instants: an interval of time lies between each and the next.
+    pub has_instants: bool,
+    /// True if its members may be complex.
+    pub is_complex: bool,
+}
+
+/// A function of time that is another one on each interval between two instants.
+#[derive(Clone, Debug, Default)]
+pub struct Piecewise {
+    pub text: String,
+    /// The sequences of its values, and of those of its derivatives in order, at the beginnings and at the ends of intervals.
+    /// Where both are one sequence, it is continuous.
+    pub ends: Vec<Option<[usize; 2]>>,
 }
 
 /// Over what a given holds, where it is no single statement.
@@ -109,10 +111,10 @@ pub enum FunctionOf {
 pub struct Law {
     /// The running time, where there is one.
     pub time: Option<Symbol>,
-    /// The impact whose flight the running time is in; nothing for a law of the whole real line.
-    pub flight: Option<i32>,
-    /// Whether it holds with all impacts moved on by any number.
-    pub every_impact: bool,
+    /// The offset of the interval that the running time is in; none for a law of the whole real line.
+    pub interval: Option<i32>,
+    /// True if it holds with the index moved on by any number.
+    pub every_index: bool,
     /// What must hold of an instance for the law to say anything of it.
     pub conditions: Vec<(Property, Term)>,
 }
@@ -126,7 +128,7 @@ pub struct Given {
     pub law: Option<Law>,
 }
 
-/// A law at one time, for the impacts moved on, or an axiom of some terms.
+/// A law at one time, with the index moved on, or an axiom of some terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Instance {
     pub property: Property,
@@ -135,21 +137,13 @@ pub struct Instance {
     pub conditions: Vec<(Property, Term)>,
 }
 
-/// A map whose derivatives a statement speaks of.
+/// Quantities that are given implicitly, as functions of others near a point, by terms that vanish.
 #[derive(Clone, Debug, Default)]
-pub struct Step {
-    /// The name of the map; none where derivatives that are written imply it.
-    pub name: String,
+pub struct Implicit {
     pub of: Vec<Symbol>,
     pub by: Vec<Symbol>,
-    /// The terms that vanish along the map and determine it, with where the givens come from that they are of.
+    /// The terms that vanish and determine them, with where the givens come from that they are of.
     pub equations: Vec<(Origin, Term)>,
-    /// What each of `of` is, where the equations of a map say so outright in `by` and symbols that do not move.
-    pub images: Vec<Term>,
-    /// What must hold for its equations to be defined, besides what their terms show.
-    pub conditions: Vec<(Property, Term)>,
-    /// Whether its equations are read over the reals alone.
-    pub real_only: bool,
 }
 
 /// A claim, ready to be decided: wherever all givens hold, the goals hold.
@@ -175,19 +169,18 @@ pub struct Statement {
     /// Symbols that are declared complex, those declared generic.
     pub(super) complex_symbols: Vec<Symbol>,
     pub(super) generic: Vec<Symbol>,
-    pub(super) steps: Vec<Step>,
-    /// The explicit maps whose derivatives are those of their right sides.
-    pub(super) outright: Vec<Step>,
+    /// The quantities whose derivatives by others the statement speaks of.
+    pub(super) implicit: Vec<Implicit>,
     /// What else the entry of the claim writes: sides of its other equations, and its own definitions.
     pub(super) beside: Vec<Term>,
-    /// The times of impacts by index; states that may be named; the states that an impact does not change.
-    pub(super) times: BTreeMap<i32, Symbol>,
-    pub(super) states: Vec<Name>,
-    pub(super) continuous: Vec<Name>,
-    /// The flight that the running time of the claim is in.
-    pub(super) flight: Option<i32>,
-    /// The letter that numbers impacts.
-    pub(super) letter: String,
+    /// The instants by offset: the first sequence with a member there.
+    pub(super) instants: BTreeMap<i32, Symbol>,
+    pub(super) sequences: Vec<Sequence>,
+    pub(super) piecewise: Vec<Piecewise>,
+    /// The offset of the interval that the running time of the claim is in.
+    pub(super) interval: Option<i32>,
+    /// The texts around and between the two symbols of a derivative.
+    pub(super) derivative_text: [String; 3],
 }
 
 impl Statement {
@@ -214,11 +207,6 @@ impl Statement {
     /// Symbols that are abbreviations.
     pub fn definitions(&self) -> &BTreeMap<Symbol, Term> {
         &self.definitions
-    }
-
-    /// The maps whose derivatives are spoken of.
-    pub fn steps(&self) -> &[Step] {
-        &self.steps
     }
 
     /// The declared derivatives of unknown functions.
@@ -251,14 +239,9 @@ impl Statement {
         self.complex
     }
 
-    /// The maps whose derivatives the statement speaks of.
-    pub fn maps(&self) -> &[Step] {
-        &self.steps
-    }
-
-    /// The explicit maps whose derivatives are those of their right sides.
-    pub fn outright_maps(&self) -> &[Step] {
-        &self.outright
+    /// The quantities that are given implicitly and whose derivatives the statement speaks of.
+    pub fn implicit(&self) -> &[Implicit] {
+        &self.implicit
     }
 
     /// What else the entry of the claim writes, and so must have a value.
@@ -266,24 +249,19 @@ impl Statement {
         &self.beside
     }
 
-    /// The times of impacts by index.
-    pub fn times(&self) -> &BTreeMap<i32, Symbol> {
-        &self.times
+    /// The instants by offset.
+    pub fn instants(&self) -> &BTreeMap<i32, Symbol> {
+        &self.instants
     }
 
-    /// The states that may be named at impacts.
-    pub fn states(&self) -> &[Name] {
-        &self.states
+    /// The functions that are others on each interval.
+    pub fn piecewise(&self) -> &[Piecewise] {
+        &self.piecewise
     }
 
-    /// The states that an impact does not change.
-    pub fn continuous(&self) -> &[Name] {
-        &self.continuous
-    }
-
-    /// The flight that the running time of the claim is in.
-    pub fn flight(&self) -> Option<i32> {
-        self.flight
+    /// The offset of the interval that the running time of the claim is in.
+    pub fn interval(&self) -> Option<i32> {
+        self.interval
     }
 
     /// The statement without what must hold for the claim to be defined, and without the claim.
@@ -317,19 +295,10 @@ impl Statement {
 
     /// A term with unknown functions replaced by terms in a symbol of their own.
     pub fn with_functions(&mut self, term: Term, functions: &[(Function, Symbol, Term)]) -> Term {
-        let declared = self.derivatives.clone();
-        self.terms.rewrite(term, &mut |terms, node| {
-            let Node::Value(function, order, at) = node else {
-                return None;
-            };
-            let (_, time, named) = functions.iter().find(|(f, ..)| f == function)?;
-            let mut slope = *named;
-            for _ in 0..*order {
-                slope = derivative(terms, slope, &declared, &mut |terms, symbol| {
-                    terms.integer(i64::from(symbol == *time))
-                });
-            }
-            Some(terms.substitute(slope, *time, *at))
+        let declared = &self.derivatives;
+        self.terms.rewrite(term, &mut |terms, node| match node {
+            Node::Value(function, order, at) => named_value(terms, declared, functions, (*function, *order, *at)),
+            _ => None,
         })
     }
 
@@ -352,42 +321,48 @@ impl Statement {
         inside.filter_map(symbol).collect()
     }
 
-    /// The letter that numbers impacts, or the index that runs.
-    pub fn letter(&self) -> &str {
-        &self.letter
-    }
-
     /// What a symbol stands for.
-    pub fn quantity(&self, symbol: Symbol) -> Option<&Quantity> {
-        self.quantities.get(symbol.0 as usize)
+    pub fn quantity(&self, symbol: Symbol) -> Option<Quantity> {
+        self.quantities.get(symbol.0 as usize).copied()
     }
 
-    /// The symbol of a quantity, new where it is not known yet.
-    pub fn symbol_of(&mut self, quantity: Quantity, printed: impl FnOnce() -> String) -> Symbol {
-        if let Some(at) = self.quantities.iter().position(|known| *known == quantity) {
-            return Symbol(u32::try_from(at).unwrap_or(u32::MAX));
+    /// The symbol that is the only one of its quantity: the index, the running time, a member, a derivative.
+    pub(super) fn known(&self, quantity: Quantity) -> Option<Symbol> {
+        let place = self.quantities.iter().position(|known| *known == quantity)?;
+        u32::try_from(place).ok().map(Symbol)
+    }
+
+    /// A symbol with a text. There is one of the index and one of the running time.
+    pub fn symbol_of(&mut self, quantity: Quantity, text: impl Into<String>) -> Symbol {
+        let is_single = !matches!(
+            quantity,
+            Quantity::Parameter
+                | Quantity::Numbered
+                | Quantity::Fixed
+                | Quantity::Abbreviation { .. }
+                | Quantity::Fresh
+        );
+        if let Some(known) = self.known(quantity).filter(|_| is_single) {
+            return known;
         }
         self.quantities.push(quantity);
-        self.terms.new_symbol(printed())
+        self.terms.new_symbol(text)
     }
 
-    /// The unknown function, new where it is not known yet.
-    pub fn function_of(&mut self, of: FunctionOf) -> Function {
-        if let Some(at) = self.functions.iter().position(|known| *known == of) {
-            return Function(u32::try_from(at).unwrap_or(u32::MAX));
-        }
-        let printed = match &of {
-            FunctionOf::Line(name) => name.to_string(),
-            FunctionOf::Flight { state, .. } => state.to_string(),
-        };
-        self.functions.push(of);
-        self.terms.new_function(printed)
+    /// The running time, where it is met.
+    pub fn running(&self) -> Option<Symbol> {
+        self.known(Quantity::Running)
+    }
+
+    /// A new unknown function of the real line.
+    pub fn new_function(&mut self, text: impl Into<String>) -> Function {
+        self.functions.push(FunctionOf::Line);
+        self.terms.new_function(text)
     }
 
     /// A symbol that stands for nothing in the statement.
-    pub fn fresh(&mut self, printed: &str) -> Symbol {
-        let number = self.quantities.len();
-        self.symbol_of(Quantity::Fresh(number), || printed.to_string())
+    pub fn fresh(&mut self, text: &str) -> Symbol {
+        self.symbol_of(Quantity::Fresh, text)
     }
 
     /// The term with all abbreviations written out, also those in others; one that stands in itself is left.
@@ -429,35 +404,57 @@ impl Statement {
         result
     }
 
-    /// The symbol of a state, printed with its index and mark.
-    pub fn state(&mut self, state: &Name, index: i32, after: bool, letter: &str) -> Symbol {
-        let after = after && !self.continuous.contains(state);
-        let quantity = Quantity::State {
-            state: state.clone(),
-            index,
-            after,
-        };
-        let mut name = state.clone();
-        name.subscript = texmath::subscript_of(index, letter);
-        name.mark = if after { "+".into() } else { String::new() };
-        self.symbol_of(quantity, || name.to_string())
-    }
-
-    /// The symbol of the time of an impact.
-    pub fn time(&mut self, family: &Name, index: i32, letter: &str) -> Symbol {
-        let quantity = Quantity::Time {
-            family: family.clone(),
-            index,
-        };
-        let mut name = family.clone();
-        name.subscript = texmath::subscript_of(index, letter);
-        let symbol = self.symbol_of(quantity, || name.to_string());
-        self.times.entry(index).or_insert(symbol);
+    /// The symbol of a member of a sequence.
+    pub fn member(&mut self, sequence: usize, offset: i32) -> Symbol {
+        let own = self.sequences.get(sequence);
+        let text = own.map_or(String::new(), |own| match (offset, &own.text) {
+            (0, [at, ..]) => at.clone(),
+            (_, [_, before, after]) => format!("{before}{offset:+}{after}"),
+        });
+        let has_instants = own.is_some_and(|own| own.has_instants);
+        let symbol = self.symbol_of(Quantity::Member { sequence, offset }, text);
+        if has_instants {
+            self.instants.entry(offset).or_insert(symbol);
+        }
         symbol
     }
 
-    /// An instance of a law: its running time replaced by `time` and its impacts moved on by `shift`; nothing where the
-    /// law does not extend so far.
+    /// The sequence of instants and the offset that a symbol is of.
+    pub fn instant_of(&self, symbol: Symbol) -> Option<(usize, i32)> {
+        self.member_of(symbol)
+            .filter(|(sequence, _)| self.has_instants(*sequence))
+    }
+
+    /// The sequence of numbers and the offset that a symbol is of.
+    pub fn number_of(&self, symbol: Symbol) -> Option<(usize, i32)> {
+        self.member_of(symbol)
+            .filter(|(sequence, _)| !self.has_instants(*sequence))
+    }
+
+    fn member_of(&self, symbol: Symbol) -> Option<(usize, i32)> {
+        match self.quantity(symbol)? {
+            Quantity::Member { sequence, offset } => Some((sequence, offset)),
+            _ => None,
+        }
+    }
+
+    fn has_instants(&self, sequence: usize) -> bool {
+        self.sequences.get(sequence).is_some_and(|own| own.has_instants)
+    }
+
+    /// The instant at an offset, new of the sequence of instants that was met first; none where none was met.
+    pub fn instant(&mut self, offset: i32) -> Option<Symbol> {
+        let met = self.quantities.iter().filter_map(|quantity| match quantity {
+            Quantity::Member { sequence, .. } if self.has_instants(*sequence) => Some(*sequence),
+            _ => None,
+        });
+        let first = met.into_iter().next();
+        let known = self.instants.get(&offset).copied();
+        known.or_else(|| Some(self.member(first?, offset)))
+    }
+
+    /// An instance of a law: its running time replaced by `time` and its index moved on by `shift`; nothing where the law
+    /// does not extend so far.
     pub fn instance(
         &mut self,
         given: usize,
@@ -476,25 +473,13 @@ impl Statement {
                 conditions,
             });
         };
-        if (shift != 0 && !(law.every_impact && self.may_move(term))) || law.time.is_some() != time.is_some() {
+        if (shift != 0 && !(law.every_index && self.may_move(term))) || law.time.is_some() != time.is_some() {
             return None;
         }
-        if let (Some(flight), Some(time)) = (law.flight, time) {
-            let flight = flight + shift;
-            let is = |index: i32, of: &Self| match (of.times.get(&index), of.terms.node(time)) {
-                (Some(known), Node::Symbol(symbol)) => known == symbol,
-                _ => false,
-            };
-            let running = match self.terms.node(time) {
-                Node::Symbol(symbol) => {
-                    running_in == Some((*symbol, flight))
-                        || (self.quantity(*symbol) == Some(&Quantity::Running) && self.flight == Some(flight))
-                }
-                _ => false,
-            };
-            if !running && !is(flight, self) && !is(flight + 1, self) {
-                return None;
-            }
+        if let (Some(interval), Some(time)) = (law.interval, time)
+            && !self.is_within(time, interval + shift, running_in)
+        {
+            return None;
         }
         let mut moved = |of: Term| {
             let of = self.written_out(of);
@@ -513,67 +498,44 @@ impl Statement {
         })
     }
 
-    /// Whether a term means something at other impacts: the trace of a map is that of one map.
-    pub(super) fn may_move(&mut self, term: Term) -> bool {
-        let term = self.written_out(term);
-        let fixed = |inner: Term| match self.terms.node(inner) {
-            Node::Symbol(symbol) => matches!(self.quantity(*symbol), Some(Quantity::Invariant { .. })),
-            _ => false,
+    /// Returns true for a time of an interval: one of its ends, or a symbol that runs over it.
+    pub(super) fn is_within(&self, time: Term, interval: i32, running_in: Option<(Symbol, i32)>) -> bool {
+        let Node::Symbol(symbol) = *self.terms.node(time) else {
+            return false;
         };
-        !self.terms.inside(term).into_iter().any(fixed)
+        let is_end = |offset: i32| self.instants.get(&offset) == Some(&symbol);
+        let runs = self.interval == Some(interval) && self.quantity(symbol) == Some(Quantity::Running);
+        is_end(interval) || is_end(interval + 1) || runs || running_in == Some((symbol, interval))
     }
 
-    /// The term with its running time replaced and its impacts moved on.
+    /// Returns true if a term means something at another index.
+    pub(super) fn may_move(&mut self, term: Term) -> bool {
+        let term = self.written_out(term);
+        let mut symbols = self.symbols_in(term).into_iter();
+        symbols.all(|symbol| self.quantity(symbol) != Some(Quantity::Fixed))
+    }
+
+    /// The term with its running time replaced and its index moved on.
     pub fn moved(&mut self, term: Term, time: Option<(Symbol, Term)>, shift: i32) -> Term {
         let mut terms = std::mem::take(&mut self.terms);
         let result = terms.rewrite(term, &mut |terms, node| match node {
             Node::Symbol(symbol) if time.is_some_and(|(running, _)| running == *symbol) => time.map(|(_, by)| by),
+            Node::Symbol(symbol) if shift != 0 && self.quantity(*symbol) == Some(Quantity::Index) => {
+                let (number, by) = (terms.symbol(*symbol), terms.integer(i64::from(shift)));
+                Some(terms.sum(vec![number, by]))
+            }
             Node::Symbol(symbol) if shift != 0 => {
-                let quantity = match self.quantities.get(symbol.0 as usize)? {
-                    Quantity::Time { family, index } => Quantity::Time {
-                        family: family.clone(),
-                        index: index + shift,
-                    },
-                    Quantity::State { state, index, after } => Quantity::State {
-                        state: state.clone(),
-                        index: index + shift,
-                        after: *after,
-                    },
-                    Quantity::Partial { of, by } => {
-                        let pair = [*of, *by];
-                        std::mem::swap(&mut self.terms, terms);
-                        let [of, by] = pair.map(|symbol| {
-                            let term = self.terms.symbol(symbol);
-                            match self.moved(term, None, shift) {
-                                moved if moved == term => symbol,
-                                moved => match self.terms.node(moved) {
-                                    Node::Symbol(moved) => *moved,
-                                    _ => symbol,
-                                },
-                            }
-                        });
-                        let partial = self.partial(of, by);
-                        std::mem::swap(&mut self.terms, terms);
-                        return Some(terms.symbol(partial));
-                    }
-                    // the index itself
-                    Quantity::Parameter(name) if is_letter(name, &self.letter) => {
-                        let (number, by) = (terms.symbol(*symbol), terms.integer(i64::from(shift)));
-                        return Some(terms.sum(vec![number, by]));
-                    }
-                    _ => return None,
-                };
                 std::mem::swap(&mut self.terms, terms);
-                let symbol = self.of_quantity(quantity);
+                let moved = self.moved_symbol(*symbol, shift);
                 std::mem::swap(&mut self.terms, terms);
-                Some(terms.symbol(symbol))
+                (moved != *symbol).then(|| terms.symbol(moved))
             }
             Node::Value(function, order, at) => {
-                let FunctionOf::Flight { state, impact } = self.functions.get(function.0 as usize)?.clone() else {
+                let FunctionOf::Interval { piecewise, offset } = *self.functions.get(function.0 as usize)? else {
                     return None;
                 };
                 std::mem::swap(&mut self.terms, terms);
-                let moved = self.in_flight(&state, impact + shift, *order, *at);
+                let moved = self.value_within(piecewise, offset + shift, *order, *at);
                 std::mem::swap(&mut self.terms, terms);
                 Some(moved)
             }
@@ -583,56 +545,65 @@ impl Statement {
         result
     }
 
-    fn of_quantity(&mut self, quantity: Quantity) -> Symbol {
-        // the letter is that of any index that is known
-        let letter = self.letter.clone();
-        match quantity {
-            Quantity::Time { family, index } => self.time(&family, index, &letter),
-            Quantity::State { state, index, after } => self.state(&state, index, after, &letter),
-            other => self.symbol_of(other, String::new),
+    /// The symbol at another index: members of sequences move on, and derivatives of such.
+    fn moved_symbol(&mut self, symbol: Symbol, shift: i32) -> Symbol {
+        match self.quantity(symbol) {
+            Some(Quantity::Member { sequence, offset }) => self.member(sequence, offset + shift),
+            Some(Quantity::Partial { of, by }) => {
+                let [of, by] = [of, by].map(|symbol| self.moved_symbol(symbol, shift));
+                self.partial(of, by)
+            }
+            _ => symbol,
         }
     }
 
-    /// The value of a state of this order in a flight: at the impacts that end it, the state there.
-    pub fn in_flight(&mut self, state: &Name, impact: i32, order: u32, at: Term) -> Term {
-        let named = (0..order).fold(state.clone(), |name, _| name.dotted());
-        if let Node::Symbol(symbol) = self.terms.node(at)
-            && self.states.contains(&named)
-        {
-            let symbol = *symbol;
-            let letter = self.letter.clone();
-            for (index, after) in [(impact, true), (impact + 1, false)] {
-                if self.times.get(&index) == Some(&symbol) {
-                    let symbol = self.state(&named, index, after, &letter);
-                    return self.terms.symbol(symbol);
+    /// The value of a derivative of a piecewise function in an interval: at its ends, the member of the sequence there.
+    pub fn value_within(&mut self, piecewise: usize, interval: i32, order: u32, at: Term) -> Term {
+        if let Node::Symbol(symbol) = *self.terms.node(at) {
+            for begins in [true, false] {
+                let offset = if begins { interval } else { interval + 1 };
+                if self.instants.get(&offset) == Some(&symbol)
+                    && let Some(sequence) = self.sequence_at(piecewise, order, begins)
+                {
+                    let member = self.member(sequence, offset);
+                    return self.terms.symbol(member);
                 }
             }
         }
-        let function = self.function_of(FunctionOf::Flight {
-            state: state.clone(),
-            impact,
-        });
+        let function = self.on_interval(piecewise, interval);
         self.terms.add(Node::Value(function, order, at))
     }
 
-    /// The state that a motion's derivative of an order is at the beginning of its flight, or at the end of it, with the
-    /// time of it; nothing where it has no name.
-    pub fn end_of(&self, function: Function, order: u32, begins: bool) -> Option<(Symbol, Symbol)> {
-        let FunctionOf::Flight { state, impact } = self.functions.get(function.0 as usize)? else {
-            return None;
-        };
-        let named = (0..order).fold(state.clone(), |name, _| name.dotted());
-        if !self.states.contains(&named) {
-            return None;
+    /// The function that a piecewise one is on an interval, new where it is not known yet.
+    fn on_interval(&mut self, piecewise: usize, offset: i32) -> Function {
+        let of = FunctionOf::Interval { piecewise, offset };
+        if let Some(at) = self.functions.iter().position(|known| *known == of) {
+            return Function(u32::try_from(at).unwrap_or(u32::MAX));
         }
-        let index = if begins { *impact } else { impact + 1 };
-        let quantity = Quantity::State {
-            after: begins && !self.continuous.contains(&named),
-            state: named,
-            index,
+        let text = self
+            .piecewise
+            .get(piecewise)
+            .map_or(String::new(), |own| own.text.clone());
+        self.functions.push(of);
+        self.terms.new_function(text)
+    }
+
+    /// The sequence of the values of a derivative at the beginnings of intervals, or at their ends.
+    fn sequence_at(&self, piecewise: usize, order: u32, begins: bool) -> Option<usize> {
+        let ends = self.piecewise.get(piecewise)?.ends.get(order as usize).copied()??;
+        Some(ends[usize::from(!begins)])
+    }
+
+    /// The member of a sequence that a derivative of a function is at the beginning of its interval, or at the end of it,
+    /// with the time of it; nothing where there is none.
+    pub fn end_of(&self, function: Function, order: u32, begins: bool) -> Option<(Symbol, Symbol)> {
+        let FunctionOf::Interval { piecewise, offset } = *self.functions.get(function.0 as usize)? else {
+            return None;
         };
-        let place = self.quantities.iter().position(|known| *known == quantity)?;
-        Some((Symbol(u32::try_from(place).ok()?), *self.times.get(&index)?))
+        let sequence = self.sequence_at(piecewise, order, begins)?;
+        let offset = if begins { offset } else { offset + 1 };
+        let member = self.known(Quantity::Member { sequence, offset })?;
+        Some((member, *self.instants.get(&offset)?))
     }
 
     /// What must hold for a term to have a value: no divisor is 0, roots and logarithms are of what they are defined for.
@@ -689,12 +660,9 @@ impl Statement {
         Some(near)
     }
 
-    /// Whether a symbol changes along a map.
-    pub fn moves_along(&self, symbol: Symbol) -> bool {
-        matches!(
-            self.quantity(symbol),
-            Some(Quantity::Time { .. } | Quantity::State { .. })
-        )
+    /// Returns true for a symbol that changes with what implicit quantities depend on.
+    pub fn depends(&self, symbol: Symbol) -> bool {
+        matches!(self.quantity(symbol), Some(Quantity::Member { .. }))
     }
 
     /// The derivative of a term by a symbol, all else held fixed; abbreviations are differentiated.
@@ -705,8 +673,8 @@ impl Statement {
         })
     }
 
-    /// The derivative of a term along a map by one of the quantities that the map starts from.
-    pub fn along(&mut self, term: Term, step: &Step, by: Symbol) -> Term {
+    /// The total derivative of a term by one of the quantities that implicit ones depend on.
+    pub fn along(&mut self, term: Term, implicit: &Implicit, by: Symbol) -> Term {
         let term = self.written_out(term);
         let mut terms = std::mem::take(&mut self.terms);
         let declared = self.derivatives.clone();
@@ -714,7 +682,7 @@ impl Statement {
             if symbol == by {
                 return terms.integer(1);
             }
-            if !self.moves_along(symbol) || step.by.contains(&symbol) {
+            if !self.depends(symbol) || implicit.by.contains(&symbol) {
                 return terms.integer(0);
             }
             std::mem::swap(&mut self.terms, terms);
@@ -726,14 +694,12 @@ impl Statement {
         result
     }
 
-    /// The symbol of a derivative along a map.
+    /// The symbol of the derivative of an implicit quantity by another.
     pub fn partial(&mut self, of: Symbol, by: Symbol) -> Symbol {
-        let printed = format!(
-            "\\frac{{\\partial {}}}{{\\partial {}}}",
-            self.terms.symbol_name(of),
-            self.terms.symbol_name(by)
-        );
-        self.symbol_of(Quantity::Partial { of, by }, || printed)
+        let [before, between, after] = &self.derivative_text;
+        let [above, below] = [of, by].map(|symbol| self.terms.symbol_name(symbol));
+        let text = format!("{before}{above}{between}{below}{after}");
+        self.symbol_of(Quantity::Partial { of, by }, text)
     }
 
     /// The value of an unknown function, under the name that is declared for its derivative.
@@ -741,20 +707,17 @@ impl Statement {
         value(&mut self.terms, &self.derivatives, function, order, at)
     }
 
-    /// Whether a symbol may be complex: declared so, a state whose symbols at other impacts are, or not known.
+    /// Returns true if a symbol may be complex: declared so, a member of such a sequence, or not known.
     fn is_complex_symbol(&self, symbol: Symbol) -> bool {
         match self.quantity(symbol) {
-            None | Some(Quantity::Fresh(_) | Quantity::Partial { .. }) => true,
-            Some(Quantity::State { state, .. }) => self.is_complex_state(state),
+            None | Some(Quantity::Fresh | Quantity::Partial { .. }) => true,
+            Some(Quantity::Member { sequence, .. }) => self.is_complex_sequence(sequence),
             Some(_) => self.complex_symbols.contains(&symbol),
         }
     }
 
-    fn is_complex_state(&self, state: &Name) -> bool {
-        self.complex_symbols.iter().any(|symbol| match self.quantity(*symbol) {
-            Some(Quantity::State { state: complex, .. }) => complex.without_dots() == state.without_dots(),
-            _ => false,
-        })
+    fn is_complex_sequence(&self, sequence: usize) -> bool {
+        self.sequences.get(sequence).is_none_or(|own| own.is_complex)
     }
 
     /// Whether a term may be differentiated by what moves: over complex numbers, roots, logarithms, real powers and
@@ -781,18 +744,15 @@ impl Statement {
         !self.complex || !self.terms.inside(term).iter().any(jumps)
     }
 
-    /// Whether an equation of a map may be differentiated along it: a flight changes with what the map starts from, and so
-    /// do derivatives along maps.
+    /// Returns true if an equation of implicit quantities may be differentiated along them: functions of intervals change with
+    /// what these depend on, and so do derivatives.
     pub(super) fn is_smooth_along(&self, term: Term) -> bool {
-        let flies = |inner: &Term| match self.terms.node(*inner) {
-            Node::Value(function, ..) => !matches!(self.functions.get(function.0 as usize), Some(FunctionOf::Line(_))),
-            Node::Symbol(symbol) => matches!(
-                self.quantity(*symbol),
-                Some(Quantity::Partial { .. } | Quantity::Invariant { .. })
-            ),
+        let changes = |inner: &Term| match self.terms.node(*inner) {
+            Node::Value(function, ..) => self.functions.get(function.0 as usize) != Some(&FunctionOf::Line),
+            Node::Symbol(symbol) => matches!(self.quantity(*symbol), Some(Quantity::Partial { .. } | Quantity::Fixed)),
             _ => false,
         };
-        !self.terms.inside(term).iter().any(flies) && self.is_differentiable(term, &|_| true)
+        !self.terms.inside(term).iter().any(changes) && self.is_differentiable(term, &|_| true)
     }
 
     /// The sign of a polynomial without symbols, by an enclosure. Over complex numbers, an odd root of a negative
@@ -813,6 +773,18 @@ impl Statement {
         (!self.complex || inside.all(principal)).then_some(sign)
     }
 
+    /// Returns true if a function has real values: one of an interval does if all its values at ends are real.
+    fn is_real_function(&self, function: Function) -> bool {
+        match self.functions.get(function.0 as usize) {
+            Some(FunctionOf::Line) => true,
+            Some(FunctionOf::Interval { piecewise, .. }) => self.piecewise.get(*piecewise).is_some_and(|own| {
+                let mut ends = own.ends.iter().flatten().flatten();
+                !own.ends.is_empty() && ends.all(|sequence| !self.is_complex_sequence(*sequence))
+            }),
+            None => false,
+        }
+    }
+
     /// Whether the value of a term is real for certain, over complex numbers.
     pub fn is_real(&self, term: Term) -> bool {
         !self.complex
@@ -828,11 +800,7 @@ impl Statement {
                                 .get(symbol)
                                 .is_none_or(|&meaning| self.is_real(meaning))
                     }
-                    Node::Value(function, ..) => match self.functions.get(function.0 as usize) {
-                        Some(FunctionOf::Flight { state, .. }) => !self.is_complex_state(state),
-                        Some(FunctionOf::Line(_)) => true,
-                        None => false,
-                    },
+                    Node::Value(function, ..) => self.is_real_function(*function),
                     Node::Imaginary | Node::RealPower(..) => false,
                     Node::Elementary(function, _) => {
                         matches!(
@@ -843,6 +811,23 @@ impl Statement {
                     _ => true,
                 })
     }
+}
+
+/// The value of a derivative of an unknown function that is a term in a symbol of its own, if it is one of these.
+pub(super) fn named_value(
+    terms: &mut Terms,
+    declared: &Derivatives,
+    functions: &[(Function, Symbol, Term)],
+    (function, order, at): (Function, u32, Term),
+) -> Option<Term> {
+    let (_, time, named) = functions.iter().find(|(known, ..)| *known == function)?;
+    let mut slope = *named;
+    for _ in 0..order {
+        slope = derivative(terms, slope, declared, &mut |terms, symbol| {
+            terms.integer(i64::from(symbol == *time))
+        });
+    }
+    Some(terms.substitute(slope, *time, at))
 }
 
 /// What the outermost step of a term needs to have a value.
@@ -861,13 +846,4 @@ fn domain_of(terms: &mut Terms, term: Term, complex: bool) -> Vec<(Property, Ter
         }
         _ => Vec::new(),
     }
-}
-
-/// Whether a name is this letter, without marks.
-pub fn is_letter(name: &Name, letter: &str) -> bool {
-    *name
-        == Name {
-            base: letter.to_string(),
-            ..Name::default()
-        }
 }

@@ -36,7 +36,7 @@ impl Proved {
         }
     }
 
-    /// What the proof excludes: derivatives along maps that must exist.
+    /// The conditions that the proof takes for granted: derivatives of implicit quantities that must exist.
     pub fn provided(&self) -> &[String] {
         &self.provided
     }

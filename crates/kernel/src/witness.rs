@@ -3,9 +3,11 @@
 use super::certificate::Certificate;
 use super::check::Checker;
 use super::enclosure;
-use super::expand::{Expansion, Refusal, derivative, vanishes};
+use super::expand::{Expansion, Quotient, Refusal, vanishes};
 use super::polynomial::Polynomial;
-use super::statement::{FunctionOf, Given, Instance, Law, Origin, Property, Quantity, Statement, Step};
+use super::statement::{
+    FunctionOf, Given, Implicit, Instance, Law, Origin, Property, Quantity, Statement, named_value,
+};
 use super::term::{Elementary, Function, Node, Symbol, Term};
 use num_traits::Zero;
 use numbers::Rational;
@@ -41,7 +43,7 @@ type Outcome<T> = Result<T, Refusal>;
 /// How often values are put into values before these are taken to go in a circle.
 const MOST_SUBSTITUTIONS: usize = 64;
 
-/// The laws of a flight are followed to this derivative at its ends: no state has more dots.
+/// The laws of intervals are followed to this derivative at their ends.
 const DERIVATIVES_AT_AN_END: usize = 2;
 
 fn refused<T>(why: impl Into<String>) -> Outcome<T> {
@@ -96,12 +98,7 @@ impl<'a> At<'a> {
     /// A [`Refusal`] that says which given is not known to hold.
     pub fn new(statement: &'a mut Statement, witness: &'a Witness, effort: u64) -> Outcome<Self> {
         let mut at = Self::bare(statement, witness, effort);
-        if at
-            .statement
-            .quantities
-            .iter()
-            .any(|quantity| matches!(quantity, Quantity::Absolute { .. }))
-        {
+        if at.statement.quantities.contains(&Quantity::Numbered) {
             return refused("recursions are not followed to an index that is a number");
         }
         let count = at.statement.terms.len();
@@ -114,8 +111,8 @@ impl<'a> At<'a> {
         at.check_table()?;
         at.check_existence()?;
         at.check_generic()?;
-        at.check_flights()?;
-        at.check_maps()?;
+        at.check_ends()?;
+        at.check_implicit()?;
         for number in 0..at.statement.givens.len() {
             let given = at.statement.givens[number].clone();
             let holds = match &given.law {
@@ -127,7 +124,7 @@ impl<'a> At<'a> {
                 refusal => refusal,
             })?;
         }
-        at.flights_go_on()?;
+        at.intervals_go_on()?;
         at.powers_are_defined()?;
         Ok(at)
     }
@@ -161,8 +158,7 @@ impl<'a> At<'a> {
             }
         }
         self.check_sample()?;
-        self.check_moving()?;
-        self.check_real()
+        self.check_moving()
     }
 
     /// Checks that the values of the sample are numbers, real ones of real symbols.
@@ -188,48 +184,31 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// Checks that no value depends on the running time, or on what is no symbol.
+    /// Checks that no value depends on the running time or on what is no symbol, and that functions and real symbols have
+    /// real values, where no solved one holds another.
     fn check_moving(&self) -> Outcome<()> {
-        let table = self.witness.table.iter().map(|(.., value)| *value);
-        let named = self.witness.functions.iter().map(|(.., term)| *term);
-        for value in self
-            .witness
-            .solved
-            .iter()
-            .map(|(_, value)| *value)
-            .chain(table)
-            .chain(named)
-        {
+        let is_imaginary = |term: &Term| *self.statement.terms.node(*term) == Node::Imaginary;
+        for (_, _, time, _) in &self.witness.table {
+            if self.statement.terms.inside(*time).iter().any(is_imaginary) {
+                return refused("a function of real times at a complex one");
+            }
+        }
+        let table = self.witness.table.iter().map(|(.., value)| (None, *value));
+        let named = self.witness.functions.iter().map(|(.., term)| (None, *term));
+        let solved = self.witness.solved.iter().map(|(symbol, value)| (Some(symbol), *value));
+        for (symbol, value) in solved.chain(table).chain(named) {
             for inner in self.statement.terms.inside(value) {
-                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
-                    && matches!(self.statement.quantity(*symbol), None | Some(Quantity::Running))
-                {
-                    return refused("a value depends on the running time, or on a symbol that is none");
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Checks that functions and real symbols have real values, and that no solved one holds another.
-    fn check_real(&self) -> Outcome<()> {
-        let imaginary = |term: &Term| *self.statement.terms.node(*term) == Node::Imaginary;
-        for (.., time, value) in &self.witness.table {
-            if [time, value]
-                .iter()
-                .any(|term| self.statement.terms.inside(**term).iter().any(imaginary))
-            {
-                return refused("a real function has a complex value");
-            }
-        }
-        for (symbol, value) in &self.witness.solved {
-            for inner in self.statement.terms.inside(*value) {
                 match self.statement.terms.node(inner) {
-                    Node::Symbol(other) if self.solved.contains_key(other) => {
+                    Node::Symbol(other)
+                        if matches!(self.statement.quantity(*other), None | Some(Quantity::Running)) =>
+                    {
+                        return refused("a value depends on the running time, or on a symbol that is none");
+                    }
+                    Node::Symbol(other) if symbol.is_some() && self.solved.contains_key(other) => {
                         return refused("a solved value holds a solved symbol");
                     }
-                    Node::Imaginary if !self.statement.complex_symbols.contains(symbol) => {
-                        return refused("a real symbol has a complex value");
+                    Node::Imaginary if !symbol.is_some_and(|own| self.statement.complex_symbols.contains(own)) => {
+                        return refused("a real symbol or function has a complex value");
                     }
                     _ => {}
                 }
@@ -250,17 +229,16 @@ impl<'a> At<'a> {
             let value = self.translate(term, None)?;
             self.around.extend(self.statement.symbols_in(value));
         }
-        let none = |_: &Quantity| false;
-        let fixed = |quantity: &Quantity| matches!(quantity, Quantity::Parameter(_) | Quantity::Time { .. });
-        match self.takes_all_values(&generic, &none)? || self.takes_all_values(&generic, &fixed)? {
+        match self.takes_all_values(&generic, false)? || self.takes_all_values(&generic, true)? {
             true => Ok(()),
             false => refused("the point may lie in a thin set of the generic symbols"),
         }
     }
 
-    /// Whether symbols take, around the point, all values that premises and definitions in them and others of a kind allow.
-    fn takes_all_values(&mut self, of: &[Symbol], others: &dyn Fn(&Quantity) -> bool) -> Outcome<bool> {
-        let (premises, symbols) = self.premises_on(of, others);
+    /// Returns true if symbols take, around the point, all values that premises and definitions in them, and perhaps in
+    /// parameters and instants, allow.
+    fn takes_all_values(&mut self, of: &[Symbol], with_others: bool) -> Outcome<bool> {
+        let (premises, symbols) = self.premises_on(of, with_others);
         let (mut values, mut free) = (Vec::new(), BTreeSet::new());
         for &symbol in &symbols {
             let term = self.statement.terms.symbol(symbol);
@@ -287,9 +265,9 @@ impl<'a> At<'a> {
         })
     }
 
-    /// Terms in these symbols and others of a kind that vanish by premises or definitions, as far as they bind these
-    /// symbols, directly or through others; and all symbols that take part.
-    fn premises_on(&mut self, of: &[Symbol], others: &dyn Fn(&Quantity) -> bool) -> (Vec<Term>, Vec<Symbol>) {
+    /// Terms in these symbols, and perhaps in parameters and instants, that vanish by premises or definitions, as far as
+    /// they bind these symbols, directly or through others; and all symbols that take part.
+    fn premises_on(&mut self, of: &[Symbol], with_others: bool) -> (Vec<Term>, Vec<Symbol>) {
         let plain = |given: &&Given| given.law.is_none() && given.property == Property::Zero;
         let mut open: Vec<Term> = self
             .statement
@@ -302,7 +280,12 @@ impl<'a> At<'a> {
             let symbol = self.statement.terms.symbol(symbol);
             open.push(self.statement.terms.difference(symbol, meaning));
         }
-        let fixed = |symbol: &Symbol| of.contains(symbol) || self.statement.quantity(*symbol).is_some_and(others);
+        let is_other = |symbol: Symbol| {
+            let quantity = self.statement.quantity(symbol);
+            let is_parameter = matches!(quantity, Some(Quantity::Parameter | Quantity::Index));
+            is_parameter || self.statement.instant_of(symbol).is_some()
+        };
+        let fixed = |symbol: &Symbol| of.contains(symbol) || (with_others && is_other(*symbol));
         open.retain(|&term| {
             let inside = self.statement.terms.inside(term);
             let is_plain = |inner: Term| match self.statement.terms.node(inner) {
@@ -342,9 +325,8 @@ impl<'a> At<'a> {
         for row in matrix {
             let mut values = Vec::new();
             for term in row {
-                let term = self.translate(term, None)?;
-                let term = self.sampled(term, None);
-                let quotient = self.numerator(term)?;
+                let value = self.value(term)?;
+                let quotient = self.numerator(value)?;
                 match quotient.numerator.as_constant() {
                     Some(value) if value.is_zero() || quotient.divisors.is_empty() => values.push(value),
                     _ => return refused("a derivative of a generic symbol is not rational"),
@@ -374,20 +356,11 @@ impl<'a> At<'a> {
     /// Functions that are named have values at all times, or are what their own law says; none is in the table too.
     fn check_functions(&mut self) -> Outcome<()> {
         for (function, time, term) in &self.witness.functions {
-            if self.witness.table.iter().any(|(other, ..)| other == function) {
-                return refused("a function is named and in the table");
-            }
-            if self
-                .witness
-                .functions
-                .iter()
-                .filter(|(other, ..)| other == function)
-                .count()
-                > 1
-            {
+            let same = self.witness.functions.iter().filter(|(other, ..)| other == function);
+            if same.count() > 1 {
                 return refused("a function is named twice");
             }
-            if !matches!(self.statement.quantity(*time), Some(Quantity::Fresh(_))) {
+            if self.statement.quantity(*time) != Some(Quantity::Fresh) {
                 return refused("a function is a term in a symbol of its own");
             }
             let written = self.statement.written_out(*term);
@@ -416,7 +389,7 @@ impl<'a> At<'a> {
         let mut implied: BTreeMap<Function, (Symbol, Term)> = BTreeMap::new();
         for (function, time, term) in self.witness.functions.clone() {
             if self.chain(function).iter().any(|f| self.is_tabled(*f)) {
-                return refused("a function is named and its derivative is in the table");
+                return refused("a function is named, and it or its derivative is in the table");
             }
             let (mut of, mut slope, mut seen) = (function, term, BTreeSet::new());
             loop {
@@ -455,10 +428,9 @@ impl<'a> At<'a> {
             written.extend(inside.into_iter().filter(fixed).map(|inner| (inner, true)));
         }
         for (term, is_real) in written {
-            let translated = self.translate(term, None)?;
-            let sampled = self.sampled(translated, None);
-            self.exists(sampled)?;
-            if is_real && self.statement.complex && !self.is_real_number(sampled)? {
+            let value = self.value(term)?;
+            self.exists(value)?;
+            if is_real && self.statement.complex && !self.is_real_number(value)? {
                 return refused("a value is not known to be real");
             }
         }
@@ -490,97 +462,117 @@ impl<'a> At<'a> {
         value.is_some() && !(self.statement.complex && self.statement.terms.inside(term).iter().any(odd))
     }
 
-    /// Derivatives along maps that the statement speaks of are what the equations of the maps make them.
-    fn check_maps(&mut self) -> Outcome<()> {
-        let goals = self.statement.goal.iter().map(|(_, term)| *term);
-        let givens = self.statement.givens.iter().map(|given| given.term);
-        let spoken: BTreeSet<Term> = goals.chain(givens).collect();
-        let mut partials = BTreeSet::new();
-        for term in spoken {
-            let term = self.statement.written_out(term);
-            for inner in self.statement.terms.inside(term) {
-                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
-                    && let Some(Quantity::Partial { of, by }) = self.statement.quantity(*symbol)
-                {
-                    partials.insert((*of, *by));
-                }
-            }
-        }
+    /// Derivatives of implicit quantities that the statement speaks of are what the equations of these make them.
+    fn check_implicit(&mut self) -> Outcome<()> {
+        let partials = self.partials();
         let mut determined = BTreeSet::new();
-        for step in self.statement.steps.clone() {
-            let own = |(of, by): &&(Symbol, Symbol)| step.of.contains(of) && step.by.contains(by);
+        for implicit in self.statement.implicit.clone() {
+            let own = |(of, by): &&(Symbol, Symbol)| implicit.of.contains(of) && implicit.by.contains(by);
             let wanted: BTreeSet<(Symbol, Symbol)> = partials.iter().filter(own).copied().collect();
-            if wanted.is_empty() || (step.equations.len() < step.of.len() && !self.is_free(&step)?) {
+            if wanted.is_empty() || (implicit.equations.len() < implicit.of.len() && !self.is_free(&implicit)?) {
                 continue;
             }
-            for (origin, term) in &step.equations {
-                for &by in &step.by {
-                    if !wanted.iter().any(|(_, wanted)| *wanted == by) {
-                        continue;
+            for (origin, term) in &implicit.equations {
+                for &by in &implicit.by {
+                    if wanted.iter().any(|(_, wanted)| *wanted == by) {
+                        self.check_slope(origin, *term, &implicit, by)?;
                     }
-                    let written = self.statement.written_out(*term);
-                    if !self.statement.is_smooth_along(written) {
-                        return refused("an equation of a map is not differentiated");
-                    }
-                    let slope = self.statement.along(written, &step, by);
-                    let between = self.statement.terms.inside(slope).into_iter().any(|inner| {
-                        matches!(self.statement.terms.node(inner), Node::Symbol(symbol)
-                            if matches!(self.statement.quantity(*symbol), Some(Quantity::Partial { of, .. }) if !step.of.contains(of)))
-                    });
-                    if between {
-                        return refused("nothing determines the derivative of what stands between the ends of a map");
-                    }
-                    let given = Given {
-                        origin: origin.clone(),
-                        property: Property::Zero,
-                        term: slope,
-                        law: None,
-                    };
-                    self.holds(&given)?;
                 }
             }
             determined.extend(wanted);
         }
         match determined == partials {
             true => Ok(()),
-            false => refused("nothing determines a derivative along a map"),
+            false => refused("nothing determines a derivative of an implicit quantity"),
         }
     }
 
-    /// Whether a map of which too few equations are given may have all derivatives that meet these at the point: the
-    /// slopes of the equations are independent there (implicit function theorem), and nothing else that is given speaks
-    /// of what the map gives, but the equations of maps that start there.
-    fn is_free(&mut self, step: &Step) -> Outcome<bool> {
-        let starts_there =
-            |other: &&Step| other.equations.len() == other.of.len() && other.by.iter().any(|by| step.of.contains(by));
-        let others = self.statement.steps.iter().filter(starts_there);
-        let mut known: Vec<Term> = others.flat_map(|step| &step.equations).map(|(_, term)| *term).collect();
-        known.extend(step.equations.iter().map(|(_, term)| *term));
+    /// The derivatives of implicit quantities in what is given and claimed: of what, and by what.
+    fn partials(&mut self) -> BTreeSet<(Symbol, Symbol)> {
+        let goals = self.statement.goal.iter().map(|(_, term)| *term);
+        let givens = self.statement.givens.iter().map(|given| given.term);
+        let spoken: BTreeSet<Term> = goals.chain(givens).collect();
+        let mut partials = BTreeSet::new();
+        for term in spoken {
+            let term = self.statement.written_out(term);
+            for symbol in self.statement.symbols_in(term) {
+                if let Some(Quantity::Partial { of, by }) = self.statement.quantity(symbol) {
+                    partials.insert((of, by));
+                }
+            }
+        }
+        partials
+    }
+
+    /// The total derivative of an equation of implicit quantities by one that these depend on vanishes.
+    fn check_slope(&mut self, origin: &Origin, term: Term, implicit: &Implicit, by: Symbol) -> Outcome<()> {
+        let written = self.statement.written_out(term);
+        if !self.statement.is_smooth_along(written) {
+            return refused("an equation of implicit quantities is not differentiated");
+        }
+        let slope = self.statement.along(written, implicit, by);
+        let is_between = |symbol: Symbol| match self.statement.quantity(symbol) {
+            Some(Quantity::Partial { of, .. }) => !implicit.of.contains(&of),
+            _ => false,
+        };
+        if self.statement.symbols_in(slope).into_iter().any(is_between) {
+            return refused("nothing determines the derivative of what is neither implicit nor what that depends on");
+        }
+        self.vanishes_by(origin.clone(), slope)
+    }
+
+    /// A term vanishes as a given of this origin would.
+    fn vanishes_by(&mut self, origin: Origin, term: Term) -> Outcome<()> {
+        self.holds(&Given {
+            origin,
+            property: Property::Zero,
+            term,
+            law: None,
+        })
+    }
+
+    /// Returns true if implicit quantities of which too few equations are given may have all derivatives that meet these at
+    /// the point: the slopes of the equations are independent there (implicit function theorem), and nothing else that is given
+    /// speaks of the quantities, but the equations of others that depend on them.
+    fn is_free(&mut self, implicit: &Implicit) -> Outcome<bool> {
+        let depends_on_them = |other: &&Implicit| {
+            other.equations.len() == other.of.len() && other.by.iter().any(|by| implicit.of.contains(by))
+        };
+        let others = self.statement.implicit.iter().filter(depends_on_them);
+        let mut known: Vec<Term> = others
+            .flat_map(|other| &other.equations)
+            .map(|(_, term)| *term)
+            .collect();
+        known.extend(implicit.equations.iter().map(|(_, term)| *term));
         for given in self.statement.givens.clone() {
-            // what holds at every impact or in every flight speaks of these too
+            // what holds at every index or in every interval speaks of these too
             if given
                 .law
                 .as_ref()
-                .is_some_and(|law| law.flight.is_some() || law.every_impact)
+                .is_some_and(|law| law.interval.is_some() || law.every_index)
             {
                 return Ok(false);
             }
             let written = self.statement.written_out(given.term);
-            let speaks = step.of.iter().any(|of| self.statement.terms.holds(written, *of));
+            let speaks = implicit.of.iter().any(|of| self.statement.terms.holds(written, *of));
             if speaks && given.property == Property::Zero && !known.contains(&given.term) {
                 return Ok(false);
             }
         }
-        let size = step.equations.len();
-        let choices = (0_u32..1 << step.of.len().min(8)).filter(|choice| choice.count_ones() as usize == size);
+        let size = implicit.equations.len();
+        let choices = (0_u32..1 << implicit.of.len().min(8)).filter(|choice| choice.count_ones() as usize == size);
         for choice in choices {
-            let chosen = step.of.iter().enumerate().filter(|(place, _)| choice >> place & 1 == 1);
-            let minor = Step {
+            let chosen = implicit
+                .of
+                .iter()
+                .enumerate()
+                .filter(|(place, _)| choice >> place & 1 == 1);
+            let minor = Implicit {
                 of: chosen.map(|(_, of)| *of).collect(),
-                ..step.clone()
+                ..implicit.clone()
             };
             let given = Given {
-                origin: Origin::Witness("derivatives exist of the map"),
+                origin: Origin::Witness("derivatives exist"),
                 property: Property::Nonzero,
                 term: super::implicit::slope_determinant(self.statement, &minor),
                 law: None,
@@ -623,7 +615,7 @@ impl<'a> At<'a> {
         let mut bare = Statement {
             givens: Vec::new(),
             goal: Vec::new(),
-            steps: Vec::new(),
+            implicit: Vec::new(),
             ..self.statement.clone()
         };
         let mut checker = Checker::new(&mut bare, &self.witness.certificate, self.effort);
@@ -650,19 +642,14 @@ impl<'a> At<'a> {
         let written = self.statement.written_out(term);
         let mut terms = std::mem::take(&mut self.statement.terms);
         let mut failure = None;
-        let declared = self.statement.derivatives.clone();
+        let declared = &self.statement.derivatives;
         let (witness, solved, periods) = (self.witness, &self.solved, &self.periods);
         let result = terms.rewrite(written, &mut |terms, node| match node {
             Node::Symbol(symbol) if running != Some(*symbol) => solved.get(symbol).copied(),
             Node::Value(function, order, at) => {
-                if let Some((_, time, named)) = witness.functions.iter().find(|(f, ..)| f == function) {
-                    let mut slope = *named;
-                    for _ in 0..*order {
-                        slope = derivative(terms, slope, &declared, &mut |terms, symbol| {
-                            terms.integer(i64::from(symbol == *time))
-                        });
-                    }
-                    return Some(terms.substitute(slope, *time, *at));
+                let named = named_value(terms, declared, &witness.functions, (*function, *order, *at));
+                if named.is_some() {
+                    return named;
                 }
                 if running.is_some_and(|running| terms.holds(*at, running)) {
                     return None;
@@ -724,8 +711,28 @@ impl<'a> At<'a> {
         })
     }
 
-    fn numerator(&mut self, term: Term) -> Outcome<super::expand::Quotient> {
+    fn numerator(&mut self, term: Term) -> Outcome<Quotient> {
         self.numbers.of(&self.statement.terms, term)
+    }
+
+    /// A polynomial with the sign of a quotient.
+    fn with_sign_of(&mut self, quotient: Quotient) -> Outcome<Polynomial> {
+        let mut product = quotient.numerator;
+        for (divisor, power) in &quotient.divisors {
+            if power % 2 == 1 {
+                product = Expansion::new(BTreeSet::new(), self.effort).times(&product, divisor)?;
+            }
+        }
+        Ok(product)
+    }
+
+    /// A rational number that a term without symbols is; none where it is not known to be one.
+    fn rational(&mut self, term: Term) -> Outcome<Option<Rational>> {
+        let quotient = self.numerator(term)?;
+        Ok(quotient
+            .numerator
+            .as_constant()
+            .filter(|_| quotient.divisors.is_empty()))
     }
 
     fn vanishes_identically(&mut self, term: Term) -> Outcome<bool> {
@@ -753,12 +760,7 @@ impl<'a> At<'a> {
             return Ok(Some([sign, 0]));
         }
         let quotient = self.numerator(term)?;
-        let mut polynomial = quotient.numerator;
-        for (divisor, power) in &quotient.divisors {
-            if power % 2 == 1 {
-                polynomial = self.times(&polynomial, divisor)?;
-            }
-        }
+        let polynomial = self.with_sign_of(quotient)?;
         let [real, imaginary] = self.parts(&polynomial);
         Ok(match (self.sign(&real), self.sign(&imaginary)) {
             (Some(real), Some(imaginary)) => Some([real, imaginary]),
@@ -771,10 +773,6 @@ impl<'a> At<'a> {
                 (apart(real) || apart(imaginary)).then_some([real.unwrap_or(2), imaginary.unwrap_or(2)])
             }),
         })
-    }
-
-    fn times(&self, a: &Polynomial, b: &Polynomial) -> Outcome<Polynomial> {
-        Expansion::new(BTreeSet::new(), self.effort).times(a, b)
     }
 
     /// Over the reals no power that a premise or the claim writes is one of 0 whose exponent is not positive.
@@ -817,18 +815,12 @@ impl<'a> At<'a> {
 
     fn is_in_domain(&mut self, property: Property, of: Term) -> Outcome<()> {
         let of = self.numerator(of)?;
-        if !of.divisors.is_empty() && property != Property::Nonzero {
-            // inner conditions come first in their own right; a sign takes the divisors along
-            let mut product = of.numerator.clone();
-            for (divisor, power) in &of.divisors {
-                if power % 2 == 1 {
-                    product = self.times(&product, divisor)?;
-                }
-            }
-            self.in_domain(property, &product)
-        } else {
-            self.in_domain(property, &of.numerator)
-        }
+        // inner conditions come first in their own right; a sign takes the divisors along
+        let polynomial = match property {
+            Property::Nonzero => of.numerator,
+            _ => self.with_sign_of(of)?,
+        };
+        self.in_domain(property, &polynomial)
     }
 
     fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
@@ -880,9 +872,8 @@ impl<'a> At<'a> {
 
     /// Whether a property holds of a term at the point.
     pub fn property(&mut self, property: Property, term: Term) -> Outcome<bool> {
-        let translated = self.translate(term, None)?;
-        let sampled = self.sampled(translated, None);
-        let Some([real, imaginary]) = self.number(sampled)? else {
+        let value = self.value(term)?;
+        let Some([real, imaginary]) = self.number(value)? else {
             return refused("a value is too close to 0 to tell");
         };
         let ordered = matches!(property, Property::Positive | Property::NonNegative);
@@ -894,17 +885,10 @@ impl<'a> At<'a> {
             Property::Nonzero => [real, imaginary] != [0, 0],
             Property::Positive => [real, imaginary] == [1, 0],
             Property::NonNegative => (0..2).contains(&real) && imaginary == 0,
-            Property::Integer => {
-                let quotient = self.numerator(sampled)?;
-                let value = quotient
-                    .numerator
-                    .as_constant()
-                    .filter(|_| quotient.divisors.is_empty());
-                match value {
-                    Some(value) => *value.0.denominator() == dashu_int::UBig::ONE,
-                    None => return refused("not known to be an integer"),
-                }
-            }
+            Property::Integer => match self.rational(value)? {
+                Some(value) => is_integer(&value),
+                None => return refused("not known to be an integer"),
+            },
         })
     }
 
@@ -951,159 +935,137 @@ impl<'a> At<'a> {
         if given.property != Property::Zero {
             return refused("a law that is an inequality");
         }
-        if law.every_impact && law.flight.is_none() && law.time.is_none() {
-            return self.sequence_holds(number, given);
-        }
-        let Some(time) = law.time else {
-            return refused("a law without a time");
-        };
-        if law.flight.is_none() {
-            if law.every_impact {
-                return refused("a law that runs over times and indices");
+        match (law.time, law.interval, law.every_index) {
+            (None, None, true) => self.sequence_holds(number, given),
+            (None, ..) => refused("a law without a time"),
+            (Some(_), None, true) => refused("a law that runs over times and indices"),
+            (Some(time), None, false) => match self.period_of(given.term, time) {
+                Some((function, period)) if self.periods.get(&function) == Some(&period) => Ok(()),
+                _ => self.vanishes_at_all_times(given.term, time),
+            },
+            (Some(_), Some(base), _) => {
+                for interval in self.intervals() {
+                    let running = self.statement.fresh("t");
+                    let at = Some(self.statement.terms.symbol(running));
+                    let within = Some((running, interval));
+                    let Some(instance) = self.statement.instance(number, at, interval - base, within) else {
+                        return refused("the law does not extend to an interval of the statement");
+                    };
+                    self.vanishes_at_all_times(instance.term, running)?;
+                }
+                Ok(())
             }
-            if let Some((function, period)) = self.period_of(given.term, time)
-                && self.periods.get(&function).is_some_and(|known| *known == period)
-            {
-                return Ok(());
-            }
-            return self.vanishes_at_all_times(given.term, time);
         }
-        let base = law.flight.unwrap_or(0);
-        for flight in self.flights() {
-            let running = self.statement.fresh("t");
-            let at = self.statement.terms.symbol(running);
-            let Some(instance) = self
-                .statement
-                .instance(number, Some(at), flight - base, Some((running, flight)))
-            else {
-                return refused("the law does not extend to a flight of the statement");
-            };
-            self.vanishes_at_all_times(instance.term, running)?;
-        }
-        Ok(())
     }
 
-    /// Laws of flight hold before the first impact and after the last one too. There is such a flight from what is known
-    /// at that impact where the laws and their first derivatives hold there, or can be solved for what is not known.
-    fn flights_go_on(&mut self) -> Outcome<()> {
+    /// Laws of intervals hold before the first instant and after the last one too. There are functions there, from what is
+    /// known at that instant, where the laws and their first derivatives hold there, or can be solved for what is not known.
+    fn intervals_go_on(&mut self) -> Outcome<()> {
         let laws: Vec<(usize, i32)> = (self.statement.givens.iter().enumerate())
-            .filter_map(|(number, given)| Some((number, given.law.as_ref()?.flight?)))
+            .filter_map(|(number, given)| Some((number, given.law.as_ref()?.interval?)))
             .collect();
-        let flights = self.flights();
-        let (Some(first), Some(last), false) = (flights.first(), flights.last(), laws.is_empty()) else {
+        let intervals = self.intervals();
+        let (false, (Some(first), Some(last))) = (laws.is_empty(), (intervals.first(), intervals.last())) else {
             return Ok(());
         };
-        for (flight, impact) in [(first - 1, *first), (last + 1, last + 1)] {
-            let times = self.statement.times.clone();
-            // the laws moved on to this flight name the time by its index
-            let family = self.statement.quantities.iter().find_map(|quantity| match quantity {
-                Quantity::Time { family, .. } => Some(family.clone()),
-                _ => None,
-            });
-            let letter = self.statement.letter.clone();
-            let time = match (times.get(&impact), family) {
-                (Some(time), _) => *time,
-                (None, Some(family)) => self.statement.time(&family, impact, &letter),
-                (None, None) => self.statement.fresh("t"),
+        for (interval, offset) in [(first - 1, *first), (last + 1, last + 1)] {
+            let instants = self.statement.instants.clone();
+            // the laws moved on to this interval name its ends by their index
+            let time = match self.statement.instant(offset) {
+                Some(time) => time,
+                None => self.statement.fresh("t"),
             };
-            self.statement.times.insert(impact, time);
+            self.statement.instants.insert(offset, time);
             let at = self.statement.terms.symbol(time);
-            let mut rows: Vec<Term> = Vec::new();
-            for &(number, base) in &laws {
-                let running = self.statement.fresh("t");
-                let (now, of) = (self.statement.terms.symbol(running), Some((running, flight)));
-                let Some(instance) = self.statement.instance(number, Some(now), flight - base, of) else {
-                    continue;
-                };
-                let mut term = instance.term;
-                for _ in 0..=DERIVATIVES_AT_AN_END {
-                    let there = self.statement.moved(term, Some((running, at)), 0);
-                    term = self.statement.derivative(term, running);
-                    let mut is_known = false;
-                    for known in rows.clone() {
-                        let difference = self.statement.terms.difference(there, known);
-                        is_known |= self.vanishes_identically(difference)?;
-                    }
-                    if !is_known {
-                        rows.push(there);
-                    }
-                }
-            }
+            let rows = self.at_an_end(&laws, interval, at)?;
             let rows = rows
                 .into_iter()
-                .map(|row| self.at_the_end(row, flight, impact, at))
-                .collect();
+                .map(|row| self.without_length(row, interval, offset, at));
+            let rows = rows.collect();
             let solved = self.can_be_solved(rows);
-            self.statement.times = times;
+            self.statement.instants = instants;
             solved?;
         }
         Ok(())
     }
 
-    /// A term at an impact that ends a flight of no length: its other end is the same time, and states that no impact
-    /// changes are those of the flight on the other side.
-    fn at_the_end(&mut self, term: Term, flight: i32, impact: i32, at: Term) -> Term {
+    /// Laws of an interval and their first derivatives at one of its ends, without those that say the same.
+    fn at_an_end(&mut self, laws: &[(usize, i32)], interval: i32, at: Term) -> Outcome<Vec<Term>> {
+        let mut rows: Vec<Term> = Vec::new();
+        for &(number, base) in laws {
+            let running = self.statement.fresh("t");
+            let now = Some(self.statement.terms.symbol(running));
+            let within = Some((running, interval));
+            let Some(instance) = self.statement.instance(number, now, interval - base, within) else {
+                continue;
+            };
+            let mut term = instance.term;
+            for _ in 0..=DERIVATIVES_AT_AN_END {
+                let there = self.statement.moved(term, Some((running, at)), 0);
+                term = self.statement.derivative(term, running);
+                let mut is_known = false;
+                for known in rows.clone() {
+                    let difference = self.statement.terms.difference(there, known);
+                    is_known |= self.vanishes_identically(difference)?;
+                }
+                if !is_known {
+                    rows.push(there);
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    /// A term at an instant that ends an interval of no length: its other end is the same time, and values of what is
+    /// continuous are those of the interval on the other side.
+    fn without_length(&mut self, term: Term, interval: i32, offset: i32, at: Term) -> Term {
         let mut term = self.statement.written_out(term);
-        if let Some(&start) = self.statement.times.get(&flight) {
+        if let Some(&start) = self.statement.instants.get(&interval) {
             term = self.statement.terms.substitute(term, start, at);
         }
-        let beyond = if flight == impact { impact - 1 } else { impact };
+        let beyond = if interval == offset { offset - 1 } else { offset };
         for (function, time, body) in self.witness.functions.clone() {
-            let named = self.statement.functions.get(function.0 as usize).cloned();
-            let mut state = match named {
-                Some(FunctionOf::Flight { state, impact: own }) if own == beyond => state,
+            let ends = match self.statement.functions.get(function.0 as usize) {
+                Some(FunctionOf::Interval { piecewise, offset }) if *offset == beyond => self.ends(*piecewise),
                 _ => continue,
             };
             let mut slope = body;
-            for _ in 0..=DERIVATIVES_AT_AN_END {
-                if self.statement.continuous.contains(&state) {
-                    let letter = self.statement.letter.clone();
-                    let symbol = self.statement.state(&state, impact, false, &letter);
+            for end in ends {
+                if let Some([before, after]) = end
+                    && before == after
+                {
+                    let member = self.statement.member(after, offset);
                     let value = self.statement.terms.substitute(slope, time, at);
-                    term = self.statement.terms.substitute(term, symbol, value);
+                    term = self.statement.terms.substitute(term, member, value);
                 }
                 slope = self.statement.derivative(slope, time);
-                state = state.dotted();
             }
         }
         term
     }
 
-    /// Terms that vanish at the point, or can be made to by states that it does not give: they are linear in these, with
+    /// The sequences of the values of a piecewise function and its derivatives at the ends of intervals.
+    fn ends(&self, piecewise: usize) -> Vec<Option<[usize; 2]>> {
+        let own = self.statement.piecewise.get(piecewise);
+        own.map_or(Vec::new(), |own| own.ends.clone())
+    }
+
+    /// Terms that vanish at the point, or can be made to by numbers that it does not give: they are linear in these, with
     /// a matrix of full rank.
     fn can_be_solved(&mut self, rows: Vec<Term>) -> Outcome<()> {
         let mut open: Vec<(Node, Symbol)> = Vec::new();
         let mut equations = Vec::new();
         for row in rows {
-            // what no value of a state can break asks for none
+            // what no value can break asks for none
             let here = self.sampled(row, None);
             if self.vanishes_identically(row)? && self.exists(here).is_ok() {
                 continue;
             }
-            let is_open = |node: &Node| match node {
-                Node::Symbol(symbol) => {
-                    let is_state = matches!(self.statement.quantity(*symbol), Some(Quantity::State { .. }));
-                    is_state && !self.solved.contains_key(symbol) && !self.sample.contains_key(symbol)
-                }
-                Node::Value(function, ..) => {
-                    let of = self.statement.functions.get(function.0 as usize);
-                    let is_given = self.witness.functions.iter().any(|(named, ..)| named == function);
-                    matches!(of, Some(FunctionOf::Flight { .. })) && !is_given
-                }
-                _ => false,
-            };
             let inside = self.statement.terms.inside(row).into_iter();
-            let own: Vec<Node> = inside
-                .map(|inner| self.statement.terms.node(inner).clone())
-                .filter(is_open)
-                .collect();
+            let own = inside.map(|inner| self.statement.terms.node(inner).clone());
+            let own: Vec<Node> = own.filter(|node| self.is_open(node)).collect();
             if own.is_empty() {
-                self.holds(&Given {
-                    origin: Origin::Witness("the flight beyond an impact"),
-                    property: Property::Zero,
-                    term: row,
-                    law: None,
-                })?;
+                self.vanishes_by(Origin::Witness("the interval beyond an instant"), row)?;
                 continue;
             }
             for node in own {
@@ -1124,7 +1086,23 @@ impl<'a> At<'a> {
         });
         match is_linear && self.rank(matrix)? == equations.len() {
             true => Ok(()),
-            false => refused("the flight beyond an impact cannot be had from what is known there"),
+            false => refused("the interval beyond an instant cannot be had from what is known there"),
+        }
+    }
+
+    /// Returns true for a number of a sequence, or a value of a function of an interval, that the point does not give.
+    fn is_open(&self, node: &Node) -> bool {
+        match node {
+            Node::Symbol(symbol) => {
+                let is_given = self.solved.contains_key(symbol) || self.sample.contains_key(symbol);
+                !is_given && self.statement.number_of(*symbol).is_some()
+            }
+            Node::Value(function, ..) => {
+                let of = self.statement.functions.get(function.0 as usize);
+                let is_given = self.witness.functions.iter().any(|(named, ..)| named == function);
+                !is_given && matches!(of, Some(FunctionOf::Interval { .. }))
+            }
+            _ => false,
         }
     }
 
@@ -1150,29 +1128,31 @@ impl<'a> At<'a> {
         refused("the law does not hold at all times")
     }
 
-    /// The flights between the impacts that the statement speaks of.
-    fn flights(&self) -> Vec<i32> {
-        let mut impacts: BTreeSet<i32> = self.statement.times.keys().copied().collect();
+    /// The intervals between the first and the last instant that the statement speaks of.
+    fn intervals(&self) -> Vec<i32> {
+        let mut instants = BTreeSet::new();
         for quantity in &self.statement.quantities {
-            if let Quantity::State { index, .. } = quantity {
-                impacts.insert(*index);
+            if let Quantity::Member { offset, .. } = quantity {
+                instants.insert(*offset);
             }
         }
-        let named = self.statement.functions.iter().filter_map(|of| match of {
-            FunctionOf::Flight { impact, .. } => Some(*impact),
-            FunctionOf::Line(_) => None,
-        });
-        let (first, last) = (impacts.first().copied(), impacts.last().copied());
-        let between = first.zip(last).map_or(0..0, |(first, last)| first..last);
-        between.chain(named).collect::<BTreeSet<i32>>().into_iter().collect()
+        for function in &self.statement.functions {
+            if let FunctionOf::Interval { offset, .. } = function {
+                instants.extend([*offset, *offset + 1]);
+            }
+        }
+        match (instants.first(), instants.last()) {
+            (Some(first), Some(last)) => (*first..*last).collect(),
+            _ => Vec::new(),
+        }
     }
 
-    /// A recursion that can be solved for its first and its last state goes on in both directions from any values.
+    /// A recursion that can be solved for its first and its last member goes on in both directions from any values.
     fn sequence_holds(&mut self, number: usize, given: &Given) -> Outcome<()> {
-        let (own, symbols) = self.states_in(given.term);
+        let (own, symbols) = self.members_in(given.term);
         self.is_alone(number, &own)?;
         let (Some((&low, &first)), Some((&high, &last))) = (symbols.first_key_value(), symbols.last_key_value()) else {
-            return refused("a recursion without states");
+            return refused("a recursion without members of sequences");
         };
         for end in [first, last] {
             let slope = self.statement.derivative(given.term, end);
@@ -1182,7 +1162,7 @@ impl<'a> At<'a> {
             }
         }
         let of = |quantity: &Quantity| match quantity {
-            Quantity::State { state, index, .. } if own.contains(state) => Some(*index),
+            Quantity::Member { sequence, offset } if own.contains(sequence) => Some(*offset),
             _ => None,
         };
         let spoken: BTreeSet<i32> = self.statement.quantities.iter().filter_map(of).collect();
@@ -1204,43 +1184,33 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// The states that a term speaks of, and their symbols by index.
-    fn states_in(&mut self, term: Term) -> (BTreeSet<texmath::Name>, BTreeMap<i32, Symbol>) {
+    /// The sequences of numbers that a term speaks of, and their members by offset.
+    fn members_in(&mut self, term: Term) -> (BTreeSet<usize>, BTreeMap<i32, Symbol>) {
         let term = self.statement.written_out(term);
-        let (mut names, mut symbols) = (BTreeSet::new(), BTreeMap::new());
+        let (mut sequences, mut members) = (BTreeSet::new(), BTreeMap::new());
         for symbol in self.statement.symbols_in(term) {
-            if let Some(Quantity::State { state, index, .. }) = self.statement.quantity(symbol) {
-                names.insert(state.clone());
-                symbols.insert(*index, symbol);
+            if let Some((sequence, offset)) = self.statement.number_of(symbol) {
+                sequences.insert(sequence);
+                members.insert(offset, symbol);
             }
         }
-        (names, symbols)
+        (sequences, members)
     }
 
-    /// A recursion is of one state, of which no other recursion, no flight and no declaration says anything.
-    fn is_alone(&mut self, number: usize, own: &BTreeSet<texmath::Name>) -> Outcome<()> {
-        let givens = self.statement.givens.clone();
-        let is_flown = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
-        let is_recursion = |given: &Given| {
-            given
-                .law
-                .as_ref()
-                .is_some_and(|law| law.every_impact && law.flight.is_none())
-        };
-        for (other, given) in givens.iter().enumerate() {
-            if other != number && is_recursion(given) && !self.states_in(given.term).0.is_disjoint(own) {
-                return refused("states are bound by several recursions");
-            }
-        }
+    /// A recursion is of one sequence, of which no other recursion, no law of intervals and no declaration says anything.
+    fn is_alone(&mut self, number: usize, own: &BTreeSet<usize>) -> Outcome<()> {
         if own.len() != 1 {
-            return refused("a recursion of several states");
+            return refused("a recursion of several sequences");
         }
-        if givens.iter().any(is_flown) {
-            return refused("a recursion beside laws of flight");
-        }
-        for given in &givens {
-            if matches!(given.origin, Origin::Declared(_)) && !self.states_in(given.term).0.is_disjoint(own) {
-                return refused("what is declared of a state is not known at every index");
+        for (other, given) in self.statement.givens.clone().into_iter().enumerate() {
+            if given.law.as_ref().is_some_and(|law| law.interval.is_some()) {
+                return refused("a recursion beside laws of intervals");
+            }
+            let is_recursion = given.law.is_some_and(|law| law.every_index);
+            let is_declared = matches!(given.origin, Origin::Declared(_));
+            let is_other = other != number && (is_recursion || is_declared);
+            if is_other && !self.members_in(given.term).0.is_disjoint(own) {
+                return refused("something else is said of a sequence of a recursion, or only at some indices");
             }
         }
         Ok(())
@@ -1249,10 +1219,9 @@ impl<'a> At<'a> {
     /// Returns true if a term is another one at another index.
     fn runs(&self, term: Term) -> bool {
         let mut symbols = self.statement.symbols_in(term).into_iter();
-        symbols.any(|symbol| match self.statement.quantity(symbol) {
-            Some(Quantity::Parameter(name)) => super::statement::is_letter(name, &self.statement.letter),
-            Some(Quantity::State { .. } | Quantity::Time { .. }) => true,
-            _ => false,
+        symbols.any(|symbol| {
+            let quantity = self.statement.quantity(symbol);
+            matches!(quantity, Some(Quantity::Index | Quantity::Member { .. }))
         })
     }
 
@@ -1295,12 +1264,9 @@ impl<'a> At<'a> {
     /// with these values (Hermite interpolation; for periodic ones, trigonometric).
     fn check_table(&mut self) -> Outcome<()> {
         for (function, ..) in &self.witness.table {
-            let (mut next, mut seen) = (Some(*function), BTreeSet::new());
-            while let Some(function) = next {
-                if !seen.insert(function) {
-                    return refused("a function that is a derivative of its own has only single values");
-                }
-                next = self.statement.derivatives.get(&function).copied();
+            let has_derivative = |own: &Function| self.statement.derivatives.contains_key(own);
+            if self.derives(*function).iter().all(has_derivative) {
+                return refused("a function that is a derivative of its own has only single values");
             }
         }
         for (f, ..) in &self.witness.table {
@@ -1321,7 +1287,7 @@ impl<'a> At<'a> {
         for given in self.statement.givens.clone() {
             let Some(Law {
                 time: Some(time),
-                flight: None,
+                interval: None,
                 ..
             }) = given.law
             else {
@@ -1356,27 +1322,23 @@ impl<'a> At<'a> {
                 return refused("a period is 0");
             }
             // a derivative has the period of its function
-            let mut of = Some(function);
-            while let Some(function) = of {
-                if let Some(known) = self.periods.get(&function).copied() {
-                    let known = self.translate(known, None)?;
-                    let [sum, difference] = [
-                        self.statement.terms.sum(vec![known, translated]),
-                        self.statement.terms.difference(known, translated),
-                    ];
-                    if !self.vanishes_identically(sum)? && !self.vanishes_identically(difference)? {
-                        return refused("a function has two periods");
-                    }
-                } else {
-                    self.periods.insert(function, period);
+            for function in self.derives(function) {
+                let known = *self.periods.entry(function).or_insert(period);
+                let known = self.translate(known, None)?;
+                let [sum, difference] = [
+                    self.statement.terms.sum(vec![known, translated]),
+                    self.statement.terms.difference(known, translated),
+                ];
+                if !self.vanishes_identically(sum)? && !self.vanishes_identically(difference)? {
+                    return refused("a function has two periods");
                 }
-                of = self.statement.derivatives.get(&function).copied();
             }
         }
         Ok(())
     }
 
-    /// Checks that the times of single values are different, also from the ends of flights, where the values are states.
+    /// Checks that the times of single values are different, also from the ends of intervals, where the values are members
+    /// of sequences.
     fn check_table_apart(&mut self) -> Outcome<()> {
         let table = &self.witness.table;
         for (n, (f, order, a, _)) in table.iter().enumerate() {
@@ -1387,12 +1349,11 @@ impl<'a> At<'a> {
                 self.check_apart(*f, *a, *b)?;
             }
         }
-        // the values of a flight at its ends are states
         for (function, _, time, _) in table {
-            let Some(FunctionOf::Flight { impact, .. }) = self.statement.functions.get(function.0 as usize) else {
+            let Some(FunctionOf::Interval { offset, .. }) = self.statement.functions.get(function.0 as usize) else {
                 continue;
             };
-            let ends = [*impact, *impact + 1].map(|index| self.statement.times.get(&index).copied());
+            let ends = [*offset, *offset + 1].map(|offset| self.statement.instants.get(&offset).copied());
             for end in ends.into_iter().flatten() {
                 let end = self.statement.terms.symbol(end);
                 self.check_apart(*function, *time, end)?;
@@ -1432,70 +1393,44 @@ impl<'a> At<'a> {
 
     fn check_apart(&mut self, function: Function, a: Term, b: Term) -> Outcome<()> {
         let apart = self.statement.terms.difference(a, b);
-        let apart = self.translate(apart, None)?;
-        let apart = self.sampled(apart, None);
+        let apart = self.value(apart)?;
         if self.number(apart)?.is_none_or(|signs| signs == [0, 0]) {
             return refused("two times of the table may be the same");
         }
         let chain = self.chain(function);
-        let period = self
-            .periods
-            .iter()
-            .find(|(f, _)| chain.contains(f))
-            .map(|(_, period)| *period);
-        if let Some(period) = period {
-            let period = self.translate(period, None)?;
-            let period = self.sampled(period, None);
+        let mut periods = self.periods.iter().filter(|(f, _)| chain.contains(f));
+        if let Some((_, &period)) = periods.next() {
+            let period = self.value(period)?;
             let turns = self.statement.terms.quotient(apart, period);
-            let quotient = self.numerator(turns)?;
-            let turns = quotient
-                .numerator
-                .as_constant()
-                .filter(|_| quotient.divisors.is_empty());
-            if turns.is_none_or(|turns| *turns.0.denominator() == dashu_int::UBig::ONE) {
+            if self.rational(turns)?.is_none_or(|turns| is_integer(&turns)) {
                 return refused("two times of the table may be the same but for whole periods");
             }
         }
         Ok(())
     }
 
-    /// A flight that is named has the states at its two ends.
-    fn check_flights(&mut self) -> Outcome<()> {
+    /// A function that is named has the members of sequences as its values at the two ends of its interval.
+    fn check_ends(&mut self) -> Outcome<()> {
         for (function, time, term) in self.witness.functions.clone() {
-            let Some(FunctionOf::Flight { state, impact }) = self.statement.functions.get(function.0 as usize).cloned()
+            let Some(FunctionOf::Interval { piecewise, offset }) = self.statement.functions.get(function.0 as usize)
             else {
                 continue;
             };
-            let mut slope = term;
-            let mut named = state.clone();
-            for _ in 0..3 {
-                for (index, after) in [(impact, true), (impact + 1, false)] {
-                    if !self.statement.states.contains(&named) {
+            let (mut slope, offsets) = (term, [*offset, *offset + 1]);
+            for end in self.ends(*piecewise) {
+                for (sequence, offset) in end.into_iter().flatten().zip(offsets) {
+                    let Some(member) = self.statement.known(Quantity::Member { sequence, offset }) else {
                         continue;
-                    }
-                    let letter = self.statement.letter.clone();
-                    let known = self.statement.quantities.len();
-                    let symbol = self.statement.state(&named, index, after, &letter);
-                    let is_new = self.statement.quantities.len() > known;
-                    if is_new && !self.solved.contains_key(&symbol) && !self.sample.contains_key(&symbol) {
-                        continue;
-                    }
-                    let Some(&end) = self.statement.times.get(&index) else {
-                        return refused("a state at the end of a flight, at no time");
                     };
-                    let (end, symbol) = (self.statement.terms.symbol(end), self.statement.terms.symbol(symbol));
+                    let Some(&end) = self.statement.instants.get(&offset) else {
+                        return refused("a value at the end of an interval, at no time");
+                    };
+                    let (end, member) = (self.statement.terms.symbol(end), self.statement.terms.symbol(member));
                     let value = self.statement.terms.substitute(slope, time, end);
-                    let difference = self.statement.terms.difference(value, symbol);
-                    let given = Given {
-                        origin: Origin::Witness("the ends of a flight"),
-                        property: Property::Zero,
-                        term: difference,
-                        law: None,
-                    };
-                    self.holds(&given)?;
+                    let difference = self.statement.terms.difference(value, member);
+                    self.vanishes_by(Origin::Witness("the ends of an interval"), difference)?;
                 }
                 slope = self.statement.derivative(slope, time);
-                named = named.dotted();
             }
         }
         Ok(())
@@ -1528,22 +1463,24 @@ fn lookup(
     at: Term,
 ) -> Option<Term> {
     let mut expansion = Expansion::new(BTreeSet::new(), 100_000);
-    for (_, _, time, value) in witness.table.iter().filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+    let own = || witness.table.iter().filter(|(f, n, ..)| (*f, *n) == (function, order));
+    let solved: HashMap<Symbol, Term> = witness.solved.iter().copied().collect();
+    let period = periods.get(&function).map(|&period| {
+        terms.rewrite(period, &mut |_, node| match node {
+            Node::Symbol(symbol) => solved.get(symbol).copied(),
+            _ => None,
+        })
+    });
+    for (_, _, time, value) in own() {
         let apart = terms.difference(at, *time);
         if vanishes(&expansion.of(terms, apart).ok()?.numerator) {
             return Some(*value);
         }
     }
-    let period = *periods.get(&function)?;
-    let solved: HashMap<Symbol, Term> = witness.solved.iter().copied().collect();
-    let period = terms.rewrite(period, &mut |_, node| match node {
-        Node::Symbol(symbol) => solved.get(symbol).copied(),
-        _ => None,
-    });
-    for (_, _, time, value) in witness.table.iter().filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+    for (_, _, time, value) in own() {
         for turns in (-6..=6).filter(|turns| *turns != 0) {
             let factor = terms.integer(turns);
-            let moved = terms.product(vec![factor, period]);
+            let moved = terms.product(vec![factor, period?]);
             let time = terms.sum(vec![*time, moved]);
             let apart = terms.difference(at, time);
             if vanishes(&expansion.of(terms, apart).ok()?.numerator) {
@@ -1552,4 +1489,8 @@ fn lookup(
         }
     }
     None
+}
+
+fn is_integer(value: &Rational) -> bool {
+    *value.0.denominator() == dashu_int::UBig::ONE
 }

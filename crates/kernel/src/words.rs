@@ -15,19 +15,13 @@ const MOST_WORDS: usize = 2_000_000;
 /// The most terms of a sum of words that is multiplied out.
 const MOST_TERMS_OF_SUM: usize = 2_000;
 
-/// Accents of vectors.
-const ARROWS: [&str; 2] = [r"\vec", r"\overrightarrow"];
-
-/// Returns true for a letter under an arrow.
-pub fn has_arrow(letter: &Letter) -> bool {
-    ARROWS.iter().any(|arrow| letter.name.contains(arrow))
-}
-
 /// A factor that keeps its place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Letter {
     pub name: String,
     pub is_transposed: bool,
+    /// True for a vector of which products are numbers, and not associative.
+    pub is_vector: bool,
 }
 
 /// A product: its commuting factors with their powers, and the others in their order.
@@ -52,8 +46,8 @@ impl Word {
     /// Returns the word whose factors, each transposed, stand in the other order.
     pub fn transposed(&self) -> Self {
         let letter = |letter: &Letter| Letter {
-            name: letter.name.clone(),
             is_transposed: !letter.is_transposed,
+            ..letter.clone()
         };
         Self {
             scalars: self.scalars.clone(),
@@ -61,9 +55,9 @@ impl Word {
         }
     }
 
-    /// Counts its factors under an arrow: a product of these is a number, and not associative.
+    /// Counts its vectors.
     pub fn vectors(&self) -> usize {
-        self.letters.iter().filter(|letter| has_arrow(letter)).count()
+        self.letters.iter().filter(|letter| letter.is_vector).count()
     }
 }
 
@@ -233,7 +227,7 @@ pub struct WordProof {
 /// A [`Refusal`] that says which line, claim or given is not shown.
 pub fn prove_in_words(question: &WordQuestion, proof: &WordProof) -> Result<Proved, Refusal> {
     let refused = |why: String| Err(Refusal::Other(why));
-    // a product of vectors under arrows is one of numbers: it is not associative
+    // a product of vectors is one of numbers: it is not associative
     let sums = question.claims.iter().chain(&question.givens);
     let is_linear = sums.flat_map(Words::terms).any(|(word, _)| word.vectors() > 0);
     let mut left = MOST_WORDS;

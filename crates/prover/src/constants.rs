@@ -45,9 +45,9 @@ fn same_at_all_times(session: &mut Session, goal: Term) -> Option<()> {
     for symbol in symbols {
         let moves = matches!(
             session.checker.statement.quantity(symbol),
-            Some(Quantity::Running | Quantity::Parameter(_))
+            Some(Quantity::Running | Quantity::Parameter | Quantity::Index)
         );
-        if !moves || session.checker.statement.flight().is_some() {
+        if !moves || session.checker.statement.interval().is_some() {
             continue;
         }
         let fresh = session.checker.statement.fresh("t");
@@ -71,7 +71,7 @@ fn linear_equations(session: &mut Session) {
     for function in functions {
         let line = matches!(
             session.checker.statement.functions().get(function.0 as usize),
-            Some(FunctionOf::Line(_))
+            Some(FunctionOf::Line)
         );
         if !line {
             continue;

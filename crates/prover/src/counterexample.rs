@@ -127,7 +127,7 @@ impl<'a> Values<'a> {
             let is_law = given
                 .law
                 .as_ref()
-                .is_some_and(|law| law.flight.is_none() && law.time.is_some());
+                .is_some_and(|law| law.interval.is_none() && law.time.is_some());
             if given.property != Property::Zero || !is_law || matches!(given.origin, Origin::Declared(_)) {
                 continue;
             }
@@ -165,7 +165,7 @@ impl<'a> Values<'a> {
             sought.extend(partials_in(self.statement(), written));
         }
         let mut found = Vec::new();
-        for step in self.statement().steps().to_vec() {
+        for step in self.statement().implicit().to_vec() {
             for &by in &step.by {
                 for (label, equation) in &step.equations {
                     let slope = self.statement().along(*equation, &step, by);
@@ -269,11 +269,12 @@ fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
         }
     }
     let order = |symbol: &Symbol, statement: &Statement| match statement.quantity(*symbol) {
-        Some(Quantity::Parameter(_) | Quantity::Local { .. }) => Some(0),
-        Some(Quantity::Time { .. } | Quantity::Running) => Some(1),
-        Some(Quantity::State { .. } | Quantity::Absolute { .. }) => Some(2),
-        Some(Quantity::Partial { .. } | Quantity::Invariant { .. }) => Some(3),
-        Some(Quantity::Fresh(_)) | None => None,
+        Some(Quantity::Parameter | Quantity::Index | Quantity::Abbreviation { .. }) => Some(0),
+        Some(Quantity::Running) => Some(1),
+        Some(Quantity::Member { .. }) if statement.instant_of(*symbol).is_some() => Some(1),
+        Some(Quantity::Member { .. } | Quantity::Numbered) => Some(2),
+        Some(Quantity::Partial { .. } | Quantity::Fixed) => Some(3),
+        Some(Quantity::Fresh) | None => None,
     };
     let mut symbols: Vec<(i32, Symbol)> = spoken
         .into_iter()

@@ -449,8 +449,8 @@ impl Proof {
                 by(&how)
             }
             Inference::Generic(term) => format!("For generic symbols {} is not 0", print(*term)),
-            Inference::Along { map, equation, by } => {
-                let equations = self.statement.steps().get(*map).map(|step| &step.equations);
+            Inference::Along { implicit, equation, by } => {
+                let equations = self.statement.implicit().get(*implicit).map(|own| &own.equations);
                 let label = equations.and_then(|equations| equations.get(*equation));
                 let label = label.map_or("the equation of a map".to_owned(), |(origin, _)| origin.to_string());
                 let by = self.statement.terms().symbol_name(*by);

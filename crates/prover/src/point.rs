@@ -206,7 +206,7 @@ fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term
     for given in statement.givens().to_vec() {
         let Some(Law {
             time: Some(time),
-            flight: None,
+            interval: None,
             ..
         }) = given.law
         else {
@@ -319,7 +319,7 @@ fn periods(statement: &mut Statement) -> Vec<(Function, Term)> {
     for given in statement.givens().to_vec() {
         let Some(Law {
             time: Some(time),
-            flight: None,
+            interval: None,
             ..
         }) = given.law
         else {
@@ -400,7 +400,7 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             // a law of flight says what the motion is, not what drives it
             let flies = matches!(
                 statement.functions().get(function.0 as usize),
-                Some(FunctionOf::Flight { .. })
+                Some(FunctionOf::Interval { .. })
             );
             if law.flies() && !flies {
                 continue;
@@ -424,7 +424,7 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
         }
         // a law of flight binds the motion, not what drives it
         let lines = statement.functions().to_vec();
-        let is_line = |f: &Function| matches!(lines.get(f.0 as usize), Some(FunctionOf::Line(_)));
+        let is_line = |f: &Function| matches!(lines.get(f.0 as usize), Some(FunctionOf::Line));
         bound.extend(own.iter().map(|(f, ..)| *f).filter(|f| !law.flies() || !is_line(f)));
     }
     for function in statement.derivatives().keys().copied().collect::<Vec<_>>() {
@@ -445,7 +445,7 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
     let covered: BTreeSet<Function> = named.iter().map(|(f, ..)| *f).collect();
     let periodic: BTreeSet<Function> = periods(statement).into_iter().map(|(f, _)| f).collect();
     let flights = statement.functions().to_vec();
-    let is_line = |function: &Function| matches!(flights.get(function.0 as usize), Some(FunctionOf::Line(_)));
+    let is_line = |function: &Function| matches!(flights.get(function.0 as usize), Some(FunctionOf::Line));
     let simple: BTreeSet<Function> = simple_periodic(statement, laws);
     let open: Vec<Function> = bound
         .into_iter()
@@ -609,7 +609,7 @@ fn candidates(
     let parameters: Vec<Symbol> = (0_u32..)
         .map(Symbol)
         .zip(statement.quantities().to_vec())
-        .filter(|(_, quantity)| matches!(quantity, Quantity::Parameter(_)))
+        .filter(|(_, quantity)| matches!(quantity, Quantity::Parameter | Quantity::Index))
         .map(|(symbol, _)| symbol)
         .collect();
     let slope = statement.fresh("c");
@@ -856,7 +856,10 @@ impl Search<'_> {
             let (Some((number, &term)), None) = (speaking.next(), speaking.next()) else {
                 continue;
             };
-            let own = matches!(self.statement.quantity(symbol), Some(Quantity::Parameter(_)));
+            let own = matches!(
+                self.statement.quantity(symbol),
+                Some(Quantity::Parameter | Quantity::Index)
+            );
             if !own || !self.statement.is_complex() || system.solved.iter().any(|(_, term)| holds(term)) {
                 continue;
             }
@@ -1359,7 +1362,7 @@ impl Search<'_> {
         for given in self.statement.givens().to_vec() {
             let Some(Law {
                 time: Some(time),
-                flight: None,
+                interval: None,
                 ..
             }) = given.law
             else {
@@ -1391,10 +1394,7 @@ impl Search<'_> {
         let choices: Vec<Vec<Term>> = free.iter().map(|&symbol| self.special_numbers(symbol)).collect();
         let mut plain: Vec<(Symbol, Term)> = Vec::new();
         for (place, &symbol) in free.iter().enumerate() {
-            let impact = match self.statement.quantity(symbol) {
-                Some(Quantity::Time { index, .. }) => Some(i64::from(*index)),
-                _ => None,
-            };
+            let impact = self.statement.instant_of(symbol).map(|(_, index)| i64::from(index));
             let number = match impact {
                 Some(index) => self.statement.terms_mut().integer(index),
                 None => {
@@ -1636,9 +1636,9 @@ impl Search<'_> {
         let spread = 3 + attempt / 40;
         let mut pick = |most: usize| (self.random.draw() % most.max(1) as u64) as i64;
         let closed = attempt % 5 == 4;
-        if let Some(Quantity::Time { index, .. }) = self.statement.quantity(symbol) {
+        if let Some((_, index)) = self.statement.instant_of(symbol) {
             // impacts follow each other
-            let number = Rational::from_ratio(8 * i64::from(*index) + pick(8), 8);
+            let number = Rational::from_ratio(8 * i64::from(index) + pick(8), 8);
             return self.statement.terms_mut().number(number);
         }
         if at_most_one && positive {
@@ -1675,7 +1675,7 @@ impl Search<'_> {
         let lines = self.statement.functions().to_vec();
         for (number, of) in (0_u32..).zip(&lines) {
             let function = Function(number);
-            let is_silent = matches!(of, FunctionOf::Line(_)) && family(&self.statement, function).is_disjoint(&spoken);
+            let is_silent = matches!(of, FunctionOf::Line) && family(&self.statement, function).is_disjoint(&spoken);
             if is_silent {
                 let time = self.statement.fresh("t");
                 let zero = self.statement.terms_mut().integer(0);
@@ -1864,10 +1864,10 @@ fn preference(statement: &Statement, symbol: Symbol) -> u8 {
         return u8::MAX;
     }
     match statement.quantity(symbol) {
-        Some(Quantity::Partial { .. } | Quantity::Invariant { .. }) => 0,
-        Some(Quantity::State { .. }) => 1,
-        Some(Quantity::Fresh(_)) => 2,
-        Some(Quantity::Time { .. }) => 4,
+        Some(Quantity::Partial { .. } | Quantity::Fixed) => 0,
+        Some(Quantity::Member { .. }) if statement.instant_of(symbol).is_some() => 4,
+        Some(Quantity::Member { .. }) => 1,
+        Some(Quantity::Fresh) => 2,
         Some(Quantity::Running) | None => u8::MAX,
         _ if statement.generic().contains(&symbol) => 7,
         _ => {

@@ -395,11 +395,15 @@ fn along(session: &mut Session, goals: &[Polynomial]) {
     if !spoken {
         return;
     }
-    for map in 0..session.checker.statement.maps().len() {
-        let step = session.checker.statement.maps()[map].clone();
+    for map in 0..session.checker.statement.implicit().len() {
+        let step = session.checker.statement.implicit()[map].clone();
         for equation in 0..step.equations.len() {
             for &by in &step.by {
-                let along = Inference::Along { map, equation, by };
+                let along = Inference::Along {
+                    implicit: map,
+                    equation,
+                    by,
+                };
                 if session.steps.contains(&along) || session.step(along.clone()).is_ok() {
                     continue;
                 }
@@ -409,7 +413,7 @@ fn along(session: &mut Session, goals: &[Polynomial]) {
                 let near = session
                     .checker
                     .statement
-                    .holding_near(&needed, &[term], &Statement::moves_along);
+                    .holding_near(&needed, &[term], &Statement::depends);
                 needed.extend(near.unwrap_or_default());
                 needed.extend(session.checker.statement.domain(slope));
                 if session.show_all(needed).is_some() {

@@ -15,7 +15,7 @@ pub(super) fn write(one: &Decided, witness: &With<Witness>, block: &mut Block) -
     if refute(&one.question.statement, witness).is_err() {
         return Err(NoScript::Nowhere);
     }
-    if !witness.statement.maps().is_empty() {
+    if !witness.statement.implicit().is_empty() {
         return Err(NoScript::Maps);
     }
     let mut statement = witness.statement.clone();
@@ -128,7 +128,7 @@ impl Point<'_> {
         let (Some(law), Property::Zero) = (&given.law, given.property) else {
             return Err(NoScript::Functions);
         };
-        let (Some(time), None, true) = (law.time, law.flight, law.conditions.is_empty()) else {
+        let (Some(time), None, true) = (law.time, law.interval, law.conditions.is_empty()) else {
             return Err(NoScript::Functions);
         };
         let statement = self.at.statement();

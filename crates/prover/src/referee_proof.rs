@@ -285,7 +285,11 @@ impl Writer<'_> {
             }
             Inference::Between { .. } => return Err(NoScript::Bounds),
             Inference::Cases { .. } => return Err(NoScript::Cases),
-            Inference::Along { map, equation, by } => along_conditions(statement, map, equation, by)?,
+            Inference::Along {
+                implicit: map,
+                equation,
+                by,
+            } => along_conditions(statement, map, equation, by)?,
             Inference::Derivative(_) | Inference::Constant { .. } => return Err(NoScript::Laws),
             _ => Vec::new(),
         };
@@ -363,7 +367,12 @@ impl Writer<'_> {
         let source = lowered(&unmarked(&self.proof.source(&step)));
         let mut comment = format!("{name} is {}, {source}", words(fact.property));
         let mut multiplier = String::new();
-        if let Inference::Along { map, equation, by } = step {
+        if let Inference::Along {
+            implicit: map,
+            equation,
+            by,
+        } = step
+        {
             let of = self.premise_along(map, equation)?;
             multiplier = self.along(&name, of, [map, equation], by, &fact.polynomial)?;
             self.written.insert(number, Written { name, multiplier });
@@ -409,7 +418,7 @@ impl Writer<'_> {
         if let Some(name) = self.equations.get(&key) {
             return Ok(name.clone());
         }
-        let maps = self.proof.statement.maps();
+        let maps = self.proof.statement.implicit();
         let own = maps.get(map).and_then(|step| step.equations.get(equation)).cloned();
         let (origin, term) = own.ok_or(NoScript::Step)?;
         let written = self.proof.statement.written_out(term);
@@ -462,7 +471,7 @@ impl Writer<'_> {
         let starts = self
             .proof
             .statement
-            .maps()
+            .implicit()
             .get(map)
             .map(|step| step.by.clone())
             .unwrap_or_default();
@@ -471,7 +480,7 @@ impl Writer<'_> {
             let printed = self.printer.symbol(&self.proof.statement, symbol);
             if symbol == by {
                 parts.insert(0, format!("diff({of}, {printed})"));
-            } else if self.proof.statement.moves_along(symbol) && !starts.contains(&symbol) {
+            } else if self.proof.statement.depends(symbol) && !starts.contains(&symbol) {
                 let partial = self.proof.statement.partial(symbol, by);
                 let partial = self.printer.symbol(&self.proof.statement, partial);
                 parts.push(format!("diff({of}, {printed})*{partial}"));
@@ -805,7 +814,7 @@ fn scaled(factor: &Rational, expression: &str) -> String {
 
 /// An equation of a map, and its derivative along it.
 fn slope_along(statement: &mut Statement, map: usize, equation: usize, by: Symbol) -> Result<[Term; 2], NoScript> {
-    let step = statement.maps().get(map).cloned().ok_or(NoScript::Step)?;
+    let step = statement.implicit().get(map).cloned().ok_or(NoScript::Step)?;
     let (_, term) = step.equations.get(equation).ok_or(NoScript::Step)?;
     Ok([statement.written_out(*term), statement.along(*term, &step, by)])
 }
@@ -819,7 +828,7 @@ fn along_conditions(
 ) -> Result<Vec<(Property, Term)>, NoScript> {
     let [written, slope] = slope_along(statement, map, equation, by)?;
     let domain = statement.domain(written);
-    let near = statement.holding_near(&domain, &[written], &Statement::moves_along);
+    let near = statement.holding_near(&domain, &[written], &Statement::depends);
     let slopes = statement.domain(slope);
     Ok([domain, slopes, near.ok_or(NoScript::Step)?].concat())
 }

@@ -2,11 +2,11 @@
 
 use super::formula::{list, quoted};
 use super::{Options, Outcome, decided, proof_in_words};
-use claims::{Goal, Question, Sheet, Verdict};
+use claims::{Goal, Named, Names, Question, Sheet, Verdict};
 use kernel::{
-    AXIOMS, Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Letter, Node, Origin, Polynomial,
-    Property, Quantity, Statement, Summand, Symbol, Term, Terms, With, Witness, Word, WordMultiple, WordProof,
-    WordQuestion, WordSource, Words,
+    AXIOMS, Axiom, Certificate, Elementary, Function, FunctionOf, Given, Inference, LawSource, Letter, Node, Origin,
+    Polynomial, Property, Quantity, Statement, Summand, Symbol, Term, Terms, With, Witness, Word, WordMultiple,
+    WordProof, WordQuestion, WordSource, Words,
 };
 use numbers::Rational;
 use std::collections::{BTreeSet, HashMap};
@@ -201,7 +201,7 @@ impl Decided {
             Found::Proved { .. } => field("verdict", quoted("proved")),
             Found::Refuted { .. } => field("verdict", quoted("refuted")),
         }];
-        fields.extend(statement_fields(statement));
+        fields.extend(self.statement_fields());
         let empty = With {
             statement: statement.clone(),
             evidence: Certificate::default(),
@@ -212,7 +212,7 @@ impl Decided {
         };
         if let Found::Proved { .. } = self.found {
             let numbers = Numbers::new(certificate, base, &|roots| roots_of(&certificate.evidence, roots));
-            let mut own = numbers.fields(statement, &certificate.statement);
+            let mut own = numbers.fields(&self.question.names, statement, &certificate.statement);
             own.extend(certificate_fields(&numbers, &certificate.evidence));
             fields.push(field("proof", format!("{{{}}}", own.join(", "))));
         }
@@ -223,9 +223,66 @@ impl Decided {
             roots.extend(witness.table.iter().flat_map(|(_, _, at, value)| [*at, *value]));
             roots_of(&witness.certificate, roots);
         });
-        let mut own = numbers.fields(statement, &point.statement);
+        let mut own = numbers.fields(&self.question.names, statement, &point.statement);
         own.extend(witness_fields(&numbers, &point.evidence));
         fields.push(field("point", format!("{{{}}}", own.join(", "))));
+        fields
+    }
+
+    /// What the statement says, without any evidence.
+    fn statement_fields(&self) -> Vec<String> {
+        let (statement, symbols) = (&self.question.statement, &self.goal.symbols);
+        let numbers = Numbers {
+            base: 0,
+            kept: (0..u32::try_from(statement.terms().len()).unwrap_or(0))
+                .map(Term)
+                .collect(),
+            number: HashMap::new(),
+        };
+        debug_assert_eq!(numbers.base, 0);
+        let mut fields = vec![field("complex", u8::from(statement.is_complex()).to_string())];
+        let names = |names: &[Name]| list(names.iter().map(|name| quoted(&name.to_string())));
+        let states: Vec<Name> = symbols.states().cloned().collect();
+        let continuous: Vec<Name> = symbols.continuous().cloned().collect();
+        fields.push(field("states", names(&states)));
+        fields.push(field("continuous", names(&continuous)));
+        fields.push(field("letter", quoted(&symbols.index)));
+        let roots = statement.functions().iter().filter_map(|of| match *of {
+            FunctionOf::Interval { piecewise, .. } => self.question.names.motion_name(piecewise).cloned(),
+            FunctionOf::Line => None,
+        });
+        let roots: BTreeSet<Name> = roots.chain(states).collect();
+        let dots = roots.into_iter().map(|root| {
+            let mut chain = vec![root];
+            for _ in 0..8 {
+                chain.extend(chain.last().map(Name::dotted));
+            }
+            names(&chain)
+        });
+        fields.push(field("dots", list(dots)));
+        fields.push(field("flight", option(statement.interval())));
+        fields.extend(numbers.fields(&self.question.names, &Statement::default(), statement));
+        let definitions = statement.definitions().iter();
+        fields.push(field(
+            "definitions",
+            list(definitions.map(|(symbol, term)| integers([symbol.0, term.0]))),
+        ));
+        let mut derivatives: Vec<[u32; 2]> = statement.derivatives().iter().map(|(f, g)| [f.0, g.0]).collect();
+        derivatives.sort_unstable();
+        fields.push(field("derivatives", list(derivatives.into_iter().map(integers))));
+        let symbols = |symbols: &[Symbol]| integers(symbols.iter().map(|symbol| symbol.0));
+        fields.push(field("complex_symbols", symbols(statement.complex_symbols())));
+        fields.push(field("generic", symbols(statement.generic())));
+        let givens = statement.givens().iter().map(given);
+        fields.push(field("givens", list(givens)));
+        fields.push(field("goals", conditions(statement.goal())));
+        let maps = statement.implicit().iter().map(|map| {
+            let equations = map.equations.iter();
+            let equations = equations.map(|(label, term)| list([quoted(&named(label)), term.0.to_string()]));
+            list([symbols(&map.of), symbols(&map.by), list(equations)])
+        });
+        fields.push(field("maps", list(maps)));
+        fields.push(field("beside", integers(statement.beside().iter().map(|term| term.0))));
         fields
     }
 
@@ -316,61 +373,52 @@ impl Numbers {
     }
 
     /// Symbols, functions and terms that a copy has beyond the statement.
-    fn fields(&self, statement: &Statement, copy: &Statement) -> Vec<String> {
+    fn fields(&self, names: &Names, statement: &Statement, copy: &Statement) -> Vec<String> {
         let from = (statement.quantities().len(), statement.functions().len());
         let terms = list(self.kept.iter().map(|term| node(self, copy.terms(), *term)));
-        let mut fields = meanings(copy, from.0, from.1);
+        let mut fields = meanings(names, copy, from.0, from.1);
         fields.push(field("terms", terms));
         fields
     }
 }
 
-fn meanings(statement: &Statement, symbols: usize, functions: usize) -> Vec<String> {
-    let names = (0_u32..).map(|n| statement.terms().symbol_name(Symbol(n)));
-    let all = names.zip(statement.quantities()).skip(symbols);
-    let symbols = list(all.map(|(printed, quantity)| symbol(printed, quantity)));
-    let functions = list(statement.functions().iter().skip(functions).map(|of| match of {
-        FunctionOf::Line(name) => list([quoted("line"), quoted(&name.to_string())]),
-        FunctionOf::Flight { state, impact } => {
-            list([quoted("flight"), quoted(&state.to_string()), impact.to_string()])
+fn meanings(names: &Names, statement: &Statement, symbols: usize, functions: usize) -> Vec<String> {
+    let all = (symbols..statement.quantities().len()).filter_map(|n| u32::try_from(n).ok());
+    let symbols = list(all.map(|n| symbol(names, statement, Symbol(n))));
+    let all = statement.functions().iter().enumerate().skip(functions);
+    let functions = list(all.map(|(place, of)| match *of {
+        FunctionOf::Line => {
+            let function = Function(u32::try_from(place).unwrap_or(u32::MAX));
+            list([quoted("line"), quoted(statement.terms().function_name(function))])
+        }
+        FunctionOf::Interval { piecewise, offset } => {
+            let name = names.motion_name(piecewise).map_or(String::new(), Name::to_string);
+            list([quoted("flight"), quoted(&name), offset.to_string()])
         }
     }));
     vec![field("symbols", symbols), field("functions", functions)]
 }
 
-fn symbol(printed: &str, quantity: &Quantity) -> String {
-    let printed = quoted(printed);
-    list(match quantity {
-        Quantity::Parameter(name) => vec![printed, quoted("parameter"), quoted(&name.to_string())],
-        Quantity::Running => vec![printed, quoted("running")],
-        Quantity::Time { family, index } => {
-            vec![printed, quoted("time"), quoted(&family.to_string()), index.to_string()]
+fn symbol(names: &Names, statement: &Statement, symbol: Symbol) -> String {
+    let text = |name: &Name| quoted(&name.to_string());
+    let meaning = match (names.of(statement, symbol), statement.quantity(symbol)) {
+        (Some(Named::Parameter(name)), _) => vec![quoted("parameter"), text(&name)],
+        (Some(Named::Running), _) => vec![quoted("running")],
+        (Some(Named::Time { family, index }), _) => vec![quoted("time"), text(&family), index.to_string()],
+        (Some(Named::State { state, index, after }), _) => {
+            let after = u8::from(after).to_string();
+            vec![quoted("state"), text(&state), index.to_string(), after]
         }
-        Quantity::State { state, index, after } => vec![
-            printed,
-            quoted("state"),
-            quoted(&state.to_string()),
-            index.to_string(),
-            u8::from(*after).to_string(),
-        ],
-        Quantity::Absolute { state, index } => {
-            vec![
-                printed,
-                quoted("absolute"),
-                quoted(&state.to_string()),
-                index.to_string(),
-            ]
+        (Some(Named::Absolute { state, index }), _) => vec![quoted("absolute"), text(&state), index.to_string()],
+        (Some(Named::Invariant { kind, of }), _) => {
+            vec![quoted("invariant"), quoted(&format!("{kind:?}")), text(&of)]
         }
-        Quantity::Partial { of, by } => vec![printed, quoted("partial"), of.0.to_string(), by.0.to_string()],
-        Quantity::Invariant { kind, of } => {
-            let kind = quoted(&format!("{kind:?}"));
-            vec![printed, quoted("invariant"), kind, quoted(&of.to_string())]
-        }
-        Quantity::Local { name, scope } => {
-            vec![printed, quoted("local"), quoted(&name.to_string()), scope.to_string()]
-        }
-        Quantity::Fresh(number) => vec![printed, quoted("fresh"), number.to_string()],
-    })
+        (Some(Named::Local { name, scope }), _) => vec![quoted("local"), text(&name), scope.to_string()],
+        (None, Some(Quantity::Partial { of, by })) => vec![quoted("partial"), of.0.to_string(), by.0.to_string()],
+        (None, _) => vec![quoted("fresh"), symbol.0.to_string()],
+    };
+    let printed = quoted(statement.terms().symbol_name(symbol));
+    list([vec![printed], meaning].concat())
 }
 
 fn node(numbers: &Numbers, terms: &Terms, term: Term) -> String {
@@ -418,66 +466,12 @@ fn conditions(of: &[(Property, Term)]) -> String {
     )
 }
 
-/// What the statement says, without any evidence.
-fn statement_fields(statement: &Statement) -> Vec<String> {
-    let numbers = Numbers {
-        base: 0,
-        kept: (0..u32::try_from(statement.terms().len()).unwrap_or(0))
-            .map(Term)
-            .collect(),
-        number: HashMap::new(),
-    };
-    debug_assert_eq!(numbers.base, 0);
-    let mut fields = vec![field("complex", u8::from(statement.is_complex()).to_string())];
-    let names = |names: &[Name]| list(names.iter().map(|name| quoted(&name.to_string())));
-    fields.push(field("states", names(statement.states())));
-    fields.push(field("continuous", names(statement.continuous())));
-    fields.push(field("letter", quoted(statement.letter())));
-    let roots = statement.functions().iter().filter_map(|of| match of {
-        FunctionOf::Flight { state, .. } => Some(state.clone()),
-        FunctionOf::Line(_) => None,
-    });
-    let roots: BTreeSet<Name> = roots.chain(statement.states().iter().cloned()).collect();
-    let dots = roots.into_iter().map(|root| {
-        let mut chain = vec![root];
-        for _ in 0..8 {
-            chain.extend(chain.last().map(Name::dotted));
-        }
-        names(&chain)
-    });
-    fields.push(field("dots", list(dots)));
-    fields.push(field("flight", option(statement.flight())));
-    fields.extend(numbers.fields(&Statement::default(), statement));
-    let definitions = statement.definitions().iter();
-    fields.push(field(
-        "definitions",
-        list(definitions.map(|(symbol, term)| integers([symbol.0, term.0]))),
-    ));
-    let mut derivatives: Vec<[u32; 2]> = statement.derivatives().iter().map(|(f, g)| [f.0, g.0]).collect();
-    derivatives.sort_unstable();
-    fields.push(field("derivatives", list(derivatives.into_iter().map(integers))));
-    let symbols = |symbols: &[Symbol]| integers(symbols.iter().map(|symbol| symbol.0));
-    fields.push(field("complex_symbols", symbols(statement.complex_symbols())));
-    fields.push(field("generic", symbols(statement.generic())));
-    let givens = statement.givens().iter().map(given);
-    fields.push(field("givens", list(givens)));
-    fields.push(field("goals", conditions(statement.goal())));
-    let maps = statement.maps().iter().map(|map| {
-        let equations = map.equations.iter();
-        let equations = equations.map(|(label, term)| list([quoted(&named(label)), term.0.to_string()]));
-        list([symbols(&map.of), symbols(&map.by), list(equations)])
-    });
-    fields.push(field("maps", list(maps)));
-    fields.push(field("beside", integers(statement.beside().iter().map(|term| term.0))));
-    fields
-}
-
 fn given(given: &Given) -> String {
     let law = given.law.as_ref().map(|law| {
         list([
             option(law.time.map(|time| time.0)),
-            option(law.flight),
-            u8::from(law.every_impact).to_string(),
+            option(law.interval),
+            u8::from(law.every_index).to_string(),
             conditions(&law.conditions),
         ])
     });
@@ -640,19 +634,24 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
             of: term,
             time,
             at,
-            flight,
+            interval,
             steps,
         } => vec![
             quoted("constant"),
             of(term),
             time.0.to_string(),
             of(at),
-            option(*flight),
+            option(*interval),
             self::steps(numbers, steps),
         ],
         Inference::Generic(term) => vec![quoted("generic"), numbers.of(*term)],
-        Inference::Along { map, equation, by } => {
-            vec![quoted("along"), map.to_string(), equation.to_string(), by.0.to_string()]
+        Inference::Along { implicit, equation, by } => {
+            vec![
+                quoted("along"),
+                implicit.to_string(),
+                equation.to_string(),
+                by.0.to_string(),
+            ]
         }
     };
     list(parts)

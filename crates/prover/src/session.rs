@@ -691,11 +691,15 @@ impl<'a> Session<'a> {
         let statement = &self.checker.statement;
         match statement.terms().node(generator) {
             Node::Symbol(symbol) => match statement.quantity(*symbol) {
-                Some(Quantity::Local { scope: 0, .. }) => (8, 0),
-                Some(Quantity::Local { .. }) => (3, 1),
-                Some(Quantity::Partial { .. } | Quantity::Invariant { .. }) => (1, 0),
-                Some(Quantity::State { index, after, .. }) => (2, -2 * *index - i32::from(*after)),
-                Some(Quantity::Time { index, .. }) => (5, -*index),
+                Some(Quantity::Abbreviation { is_local: false }) => (8, 0),
+                Some(Quantity::Abbreviation { is_local: true }) => (3, 1),
+                Some(Quantity::Partial { .. } | Quantity::Fixed) => (1, 0),
+                Some(Quantity::Member { offset, .. }) if statement.instant_of(*symbol).is_some() => (5, -offset),
+                Some(Quantity::Member { sequence, offset }) => {
+                    let ends = statement.piecewise().iter().flat_map(|own| own.ends.iter().flatten());
+                    let begins = ends.into_iter().any(|[begin, end]| *begin == sequence && begin != end);
+                    (2, -2 * offset - i32::from(begins))
+                }
                 _ if statement.generic().contains(symbol) => (7, 0),
                 _ => (6, 0),
             },

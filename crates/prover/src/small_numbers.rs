@@ -50,7 +50,7 @@ fn point(statement: &Statement, values: &[(i64, i64)]) -> Option<With<Witness>> 
     let mut known: BTreeMap<Symbol, Term> = BTreeMap::new();
     let mut next = values.iter().cycle();
     for (symbol, quantity) in (0_u32..).map(Symbol).zip(statement.quantities()) {
-        if matches!(quantity, Quantity::Running | Quantity::Local { .. }) || defined.contains(&symbol) {
+        if matches!(quantity, Quantity::Running | Quantity::Abbreviation { .. }) || defined.contains(&symbol) {
             continue;
         }
         let (above, below) = *next.next()?;

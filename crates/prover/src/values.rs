@@ -11,7 +11,6 @@ use kernel::{
 use num_traits::Zero;
 use numbers::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
-use texmath::Name;
 
 /// The most whole periods between two times that are tried, of each of one, two or three periods.
 const MOST_TURNS: [i64; 3] = [8, 6, 2];
@@ -88,16 +87,13 @@ fn impacts(session: &Session, goals: &[Polynomial]) -> BTreeSet<i32> {
 }
 
 /// The states at impacts that the facts and goals speak of.
-fn states(session: &Session, goals: &[Polynomial]) -> BTreeSet<(Name, i32)> {
+fn states(session: &Session, goals: &[Polynomial]) -> BTreeSet<(usize, i32)> {
     let statement = &session.checker.statement;
     let inside = spoken(session, goals)
         .into_iter()
         .flat_map(|term| statement.terms().inside(term));
     let state = |inner: Term| match statement.terms().node(inner) {
-        Node::Symbol(symbol) => match statement.quantity(*symbol)? {
-            Quantity::State { state, index, .. } => Some((state.clone(), *index)),
-            _ => None,
-        },
+        Node::Symbol(symbol) => statement.number_of(*symbol),
         _ => None,
     };
     inside.filter_map(state).collect()
@@ -109,14 +105,13 @@ fn indices(statement: &Statement, term: Term) -> BTreeSet<i32> {
     for inner in statement.terms().inside(term) {
         match statement.terms().node(inner) {
             Node::Symbol(symbol) => {
-                if let Some(Quantity::State { index, .. } | Quantity::Time { index, .. }) = statement.quantity(*symbol)
-                {
-                    found.insert(*index);
+                if let Some(Quantity::Member { offset, .. }) = statement.quantity(*symbol) {
+                    found.insert(offset);
                 }
             }
             Node::Value(function, ..) => {
-                if let Some(FunctionOf::Flight { impact, .. }) = statement.functions().get(function.0 as usize) {
-                    found.insert(*impact);
+                if let Some(FunctionOf::Interval { offset, .. }) = statement.functions().get(function.0 as usize) {
+                    found.insert(*offset);
                 }
             }
             _ => {}
@@ -137,7 +132,7 @@ fn sequences(session: &mut Session, goals: &[Polynomial]) {
     };
     for given in 0..session.checker.statement.givens().len() {
         let entry = session.checker.statement.givens()[given].clone();
-        if entry.law.is_none_or(|law| law.time.is_some() || !law.every_impact) {
+        if entry.law.is_none_or(|law| law.time.is_some() || !law.every_index) {
             continue;
         }
         let written = session.checker.statement.written_out(entry.term);
@@ -172,8 +167,8 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) {
         (Some(&first), Some(&last)) => {
             // a law is first of all one of the flight that it is written of
             let named = session.checker.statement.functions().iter().filter_map(|of| match of {
-                FunctionOf::Flight { impact, .. } => Some(impact + 1),
-                FunctionOf::Line(_) => None,
+                FunctionOf::Interval { offset, .. } => Some(offset + 1),
+                FunctionOf::Line => None,
             });
             let last = named.fold(last.max(first + 1), i32::max);
             (first - 1..last).collect()
@@ -186,8 +181,8 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) {
             continue;
         };
         let Some(time) = law.time else { continue };
-        let base = law.flight.unwrap_or(0);
-        let shifts: Vec<i32> = match (law.every_impact, law.flight) {
+        let base = law.interval.unwrap_or(0);
+        let shifts: Vec<i32> = match (law.every_index, law.interval) {
             (true, Some(_)) => flights.iter().map(|flight| flight - base).collect(),
             _ => vec![0],
         };
@@ -196,7 +191,7 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) {
                 continue;
             }
             let written = session.checker.statement.written_out(entry.term);
-            let flight = law.flight.map(|flight| flight + shift);
+            let flight = law.interval.map(|flight| flight + shift);
             // of the flight before all others a law tells where it brings nothing else along
             if flight.is_some() && flight < flights.get(1).copied() {
                 let is_own = indices(session.checker.statement, written) == BTreeSet::from([base]);
@@ -218,12 +213,15 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) {
 }
 
 /// Whether a law tells of one of these states at the end of a flight, itself or by its derivatives.
-fn has_end(session: &Session, law: Term, time: Symbol, states: &BTreeSet<(Name, i32)>, flight: Option<i32>) -> bool {
+fn has_end(session: &Session, law: Term, time: Symbol, states: &BTreeSet<(usize, i32)>, flight: Option<i32>) -> bool {
     let values = values_in(session, law, time).into_iter();
     let mut named = values.flat_map(|(function, order, _)| {
-        (0..=MOST_DERIVATIVES).filter_map(move |more| end_state(session, function, order + u32::from(more)))
+        (0..=MOST_DERIVATIVES).filter_map(move |more| end_states(session, function, order + u32::from(more)))
     });
-    named.any(|(state, _)| flight.is_some_and(|flight| states.contains(&(state, flight + 1))))
+    named.any(|(ends, _)| {
+        let is_met = |state: usize| flight.is_some_and(|flight| states.contains(&(state, flight + 1)));
+        ends.into_iter().any(is_met)
+    })
 }
 
 /// The law as a polynomial, its numerator.
@@ -244,12 +242,12 @@ fn at_arguments(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
         let mut times: BTreeSet<Term> = BTreeSet::new();
         if let Some(flight) = law.flight {
             for index in [flight, flight + 1] {
-                if let Some(&time) = session.checker.statement.times().get(&index) {
+                if let Some(&time) = session.checker.statement.instants().get(&index) {
                     times.insert(session.terms().symbol(time));
                 }
             }
-            if session.checker.statement.flight() == Some(flight)
-                && let Some(running) = running(session)
+            if session.checker.statement.interval() == Some(flight)
+                && let Some(running) = session.checker.statement.running()
             {
                 times.insert(session.terms().symbol(running));
             }
@@ -277,16 +275,6 @@ fn at_arguments(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
 fn reflects(session: &mut Session, inner: Term, time: Symbol) -> bool {
     let slope = session.checker.statement.derivative(inner, time);
     polynomial(session, slope).is_none_or(|slope| slope != Polynomial::integer(1))
-}
-
-fn running(session: &Session) -> Option<Symbol> {
-    let at = session
-        .checker
-        .statement
-        .quantities()
-        .iter()
-        .position(|known| *known == Quantity::Running)?;
-    u32::try_from(at).ok().map(Symbol)
 }
 
 /// Laws at a running time, and at the times that the values in a polynomial, which depend on it, ask for.
@@ -389,10 +377,13 @@ fn derivatives(session: &mut Session, goals: &[Polynomial]) {
             .iter()
             .any(|(f, n, _)| next.iter().any(|(g, m)| g == f && m <= n) || reaches(session, &next, *f));
         let ends = |(function, order): &(Function, u32)| {
-            end_state(session, *function, *order).is_some_and(|(state, flight)| {
-                [flight, flight + 1]
-                    .into_iter()
-                    .any(|index| states.contains(&(state.clone(), index)))
+            end_states(session, *function, *order).is_some_and(|(ends, flight)| {
+                let is_met = |state| {
+                    [flight, flight + 1]
+                        .into_iter()
+                        .any(|index| states.contains(&(state, index)))
+                };
+                ends.into_iter().any(is_met)
             })
         };
         let wanted = wanted || (law.integrals == 0 && next.iter().any(ends));
@@ -414,13 +405,15 @@ fn derivatives(session: &mut Session, goals: &[Polynomial]) {
     }
 }
 
-/// The state that a derivative of a function of flight is at the ends of the flight, and the impact that it follows.
-fn end_state(session: &Session, function: Function, order: u32) -> Option<(Name, i32)> {
-    match session.checker.statement.functions().get(function.0 as usize)? {
-        FunctionOf::Flight { state, impact } => {
-            Some(((0..order).fold(state.clone(), |name, _| name.dotted()), *impact))
+/// The states that a derivative of a function of flight is at the ends of the flight, and the impact that it follows.
+fn end_states(session: &Session, function: Function, order: u32) -> Option<([usize; 2], i32)> {
+    let statement = &session.checker.statement;
+    match *statement.functions().get(function.0 as usize)? {
+        FunctionOf::Interval { piecewise, offset } => {
+            let ends = &statement.piecewise().get(piecewise)?.ends;
+            Some((ends.get(order as usize).copied()??, offset))
         }
-        FunctionOf::Line(_) => None,
+        FunctionOf::Line => None,
     }
 }
 
@@ -607,7 +600,7 @@ pub fn constant(session: &mut Session, of: Term, time: Symbol, at: Term, flight:
         of,
         time,
         at,
-        flight,
+        interval: flight,
         steps,
     })?;
     let source = LawSource::Derived(session.checker.laws() - 1);
@@ -675,7 +668,7 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
     let of = session.terms().substitute(whole, law.time, running);
     let at = match law.flight {
         Some(flight) => {
-            let start = *session.checker.statement.times().get(&flight)?;
+            let start = *session.checker.statement.instants().get(&flight)?;
             session.terms().symbol(start)
         }
         None => session.terms().integer(0),

@@ -236,7 +236,7 @@ fn a_logarithm_is_not_differentiated_across_its_cut() {
                 of: difference,
                 time,
                 at: nought,
-                flight: None,
+                interval: None,
                 steps: vec![axiom("ExpNonzero", &[product])],
             },
             // 0: exp(0 z) is not 0; 1, 2: exp z and exp(z 1) are not 0
@@ -300,7 +300,7 @@ fn a_logarithm_is_not_differentiated_around_the_unit_circle() {
             of: terms.difference(logarithm, angle),
             time,
             at: zero,
-            flight: None,
+            interval: None,
             steps: vec![axiom("ExpNonzero", &[angle])],
         }]
     });
@@ -789,7 +789,7 @@ fn derivatives_along_a_map_are_what_its_equations_make_them() {
         _ => 0,
     };
     let tripled: Value = |quantity| match quantity {
-        Quantity::State { index, .. } => 3_i64.pow(index.unsigned_abs()),
+        Quantity::Member { offset, .. } => 3_i64.pow(offset.unsigned_abs()),
         Quantity::Partial { .. } => 5,
         _ => 1,
     };
@@ -911,7 +911,7 @@ fn what_is_assumed_of_a_claim_determines_no_map() {
         &["x_{k+1} = t_{k+1} - t_k", "t_{k+1} = t_k + 1"],
         r"\frac{\partial x_{k+1}}{\partial x_k} = 0 | assume = ['x_{k+1} = 1 + t_{k+1} 0']",
     );
-    for (label, _) in &statement.maps()[0].equations {
+    for (label, _) in &statement.implicit()[0].equations {
         assert_ne!(*label, Origin::Assumptions);
     }
 }
@@ -1092,7 +1092,7 @@ fn a_point_is_one_of_the_terms_that_the_statement_has() {
 
 #[test]
 fn an_abbreviation_is_what_it_stands_for_where_that_has_a_value() {
-    let mut draft = Draft::new(false, Vec::new(), Vec::new(), String::new());
+    let mut draft = Draft::new(false, Vec::new(), Vec::new(), Default::default());
     let [short, below] = ["a", "y"].map(|name| draft.fresh(name));
     let one = draft.terms_mut().integer(1);
     let below = draft.terms_mut().symbol(below);

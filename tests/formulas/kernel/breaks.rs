@@ -11,8 +11,8 @@ use crate::common::sample;
 use std::collections::{BTreeMap, HashMap};
 use vibro_audit::claim::{Sheet, Statements, questions};
 use vibro_audit::kernel::{
-    AxiomRow, Certificate, Checker, Inference, LawSource, Node, Polynomial, Property, Statement, Summand, Symbol, Term,
-    With, follows,
+    AxiomRow, Certificate, Checker, Function, Inference, LawSource, Node, Polynomial, Property, Statement, Summand,
+    Symbol, Term, With, follows,
 };
 use vibro_audit::number::{Field, Rational, Sequence};
 use vibro_audit::prove::certificates;
@@ -140,6 +140,26 @@ impl Visit<'_> {
     }
 }
 
+/// The symbol of a statement that has the name and the quantity of one of another, new where there is none.
+fn symbol_like(from: &Statement, symbol: Symbol, to: &mut Statement) -> Symbol {
+    let (quantity, name) = (from.quantity(symbol).unwrap(), from.terms().symbol_name(symbol));
+    let mut all = (0..u32::try_from(to.quantities().len()).unwrap()).map(Symbol);
+    let is_alike = |known: &Symbol| to.quantity(*known) == Some(quantity) && to.terms().symbol_name(*known) == name;
+    all.find(is_alike).unwrap_or_else(|| to.symbol_of(quantity, name))
+}
+
+/// The function of a statement that has the name of one of another and is of the same kind.
+fn function_like(from: &Statement, function: Function, to: &mut Statement) -> Function {
+    let of = |statement: &Statement, function: Function| {
+        let own = statement.functions()[function.0 as usize];
+        (own, statement.terms().function_name(function).to_owned())
+    };
+    let wanted = of(from, function);
+    let mut all = (0..u32::try_from(to.functions().len()).unwrap()).map(Function);
+    all.find(|known| of(to, *known) == wanted)
+        .unwrap_or_else(|| to.new_function(wanted.1.clone()))
+}
+
 /// The certificate in the terms of another statement: symbols and functions by what they stand for.
 fn moved(from: &With<Certificate>, to: &Statement) -> With<Certificate> {
     let mut own = to.clone();
@@ -149,13 +169,9 @@ fn moved(from: &With<Certificate>, to: &Statement) -> With<Certificate> {
         let of = |part: &Term| known.get(part).copied().unwrap_or(*part);
         let all = |parts: &[Term]| parts.iter().map(of).collect::<Vec<Term>>();
         let node = match from.statement.terms().node(term) {
-            Node::Symbol(symbol) => {
-                let quantity = from.statement.quantity(*symbol).unwrap().clone();
-                Node::Symbol(own.symbol_of(quantity, || from.statement.terms().symbol_name(*symbol).to_string()))
-            }
+            Node::Symbol(symbol) => Node::Symbol(symbol_like(&from.statement, *symbol, &mut own)),
             Node::Value(function, order, at) => {
-                let function = own.function_of(from.statement.functions()[function.0 as usize].clone());
-                Node::Value(function, *order, of(at))
+                Node::Value(function_like(&from.statement, *function, &mut own), *order, of(at))
             }
             Node::Sum(parts) => Node::Sum(all(parts)),
             Node::Product(parts) => Node::Product(all(parts)),
@@ -590,7 +606,7 @@ fn broken_certificates_prove_nothing_false() {
             }
         }
         // values of functions, and derivatives along maps, are not free
-        let is_free = changed.statement.functions().is_empty() && changed.statement.maps().is_empty();
+        let is_free = changed.statement.functions().is_empty() && changed.statement.implicit().is_empty();
         if is_free && changed.evidence.steps.len() < 300 {
             for at in points(&changed.statement, &mut random) {
                 evaluated += 1;

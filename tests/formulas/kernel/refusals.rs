@@ -275,7 +275,7 @@ fn a_law_is_taken_where_it_holds() {
     // at the running time of its own flight
     let claim = r"\dot{x}(t) = \dot{x}^+(t_{k+1}) + g (t - t_{k+1})";
     let own = statement(FLIGHT, &[r"\dot{x}(t) = g t"], claim);
-    assert_eq!(own.flight(), Some(1));
+    assert_eq!(own.interval(), Some(1));
     for (shift, accepted) in [(1, true), (0, false), (2, false)] {
         let given = given(&own, "p0", true);
         let followed = steps(&own, |own| vec![law(given, shift, Some(of(own, "t")))]);
@@ -338,8 +338,8 @@ fn a_map_is_differentiated_by_what_it_starts_from_alone() {
     let claim = r"\frac{\partial x_{k+1}}{\partial x_k} = a";
     let own = statement(symbols, &["x_{k+1} = a x_k + t_k"], claim);
     let along = |own: &mut Statement, by| {
-        let (map, equation, by) = (0, 0, symbol(own, by));
-        vec![Inference::Along { map, equation, by }]
+        let (implicit, equation, by) = (0, 0, symbol(own, by));
+        vec![Inference::Along { implicit, equation, by }]
     };
     let outcome = accepts(&own, |own| along(own, "x_k"));
     assert!(outcome.is_ok(), "{outcome:?}");
@@ -352,7 +352,7 @@ fn a_map_is_differentiated_by_what_it_starts_from_alone() {
     ] {
         let own = statement(symbols, &[premise], claim);
         assert!(
-            own.maps()[0].equations.is_empty() || !steps(&own, |own| along(own, "x_k")),
+            own.implicit()[0].equations.is_empty() || !steps(&own, |own| along(own, "x_k")),
             "{premise}"
         );
     }
@@ -363,14 +363,14 @@ fn a_map_is_differentiated_by_what_it_starts_from_alone() {
             claim,
         );
         assert!(
-            own.maps()[0].equations.is_empty() || !steps(&own, |own| along(own, "x_k")),
+            own.implicit()[0].equations.is_empty() || !steps(&own, |own| along(own, "x_k")),
             "{assumed}"
         );
     }
     // what determines a map speaks of no derivatives, and of states before times
     let determining = |of: &str, premises: &[&str]| {
         let own = statement(&symbols.replace("['x_{k+1}']", of), premises, claim);
-        let labels: Vec<String> = own.maps()[0]
+        let labels: Vec<String> = own.implicit()[0]
             .equations
             .iter()
             .map(|(origin, _)| origin.to_string())
@@ -702,7 +702,7 @@ fn a_flight_and_a_map_come_to_the_states_that_are_solved_for() {
             let mut values = Vec::new();
             for symbol in (0..count).map(Symbol) {
                 let value = match own.quantity(symbol) {
-                    Some(Quantity::Partial { of, .. }) if own.terms().symbol_name(*of) == "x_{k+1}" => 6,
+                    Some(Quantity::Partial { of, .. }) if own.terms().symbol_name(of) == "x_{k+1}" => 6,
                     Some(Quantity::Partial { .. }) => -5,
                     _ if own.terms().symbol_name(symbol) == "x_k" => 2,
                     _ => 1,

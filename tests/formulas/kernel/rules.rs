@@ -543,7 +543,7 @@ fn what_has_no_derivative_keeps_its_value() {
                     of: term,
                     time,
                     at: b,
-                    flight: None,
+                    interval: None,
                     steps: vec![law(law_number, 0, Some(s))],
                 },
                 Inference::Law {

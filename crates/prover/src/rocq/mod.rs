@@ -129,23 +129,23 @@ fn written(decided: &Decided, printed: Option<Printed>) -> Result<String, Unwrit
     let body = match &decided.found {
         Found::Proved { certificate, point } => {
             let mut own = certificate.statement.clone();
-            let mut steps = Steps::new(&mut own, &certificate.evidence);
+            let mut steps = Steps::new(&mut own, &certificate.evidence, &decided.goal.symbols.index);
             let theorem = Theorem::of(decided, printed, &mut steps)?;
             theorem.proved(decided, &mut steps, &certificate.evidence.steps, point)?
         }
         Found::Refuted { witness } => {
             let statement = &decided.question.statement;
-            if !statement.maps().is_empty() {
+            if !statement.implicit().is_empty() {
                 return Err(Unwritten::Not(
                     "a counterexample with a map from one impact to the next",
                 ));
             }
             let mut laws = statement.givens().iter().filter_map(|given| given.law.as_ref());
-            if laws.any(|law| law.every_impact || law.flight.is_some()) {
+            if laws.any(|law| law.every_index || law.interval.is_some()) {
                 return Err(Unwritten::Not("a counterexample to a law of flight or over indices"));
             }
             let mut own = witness.statement.clone();
-            let mut steps = Steps::new(&mut own, &Certificate::default());
+            let mut steps = Steps::new(&mut own, &Certificate::default(), &decided.goal.symbols.index);
             let theorem = Theorem::of(decided, printed, &mut steps)?;
             match printed {
                 None => theorem.refuted(&mut steps, witness)?,
@@ -365,7 +365,7 @@ impl Theorem {
     fn maps(&mut self, decided: &Decided, grounds: &BTreeSet<Ground>, steps: &mut Steps) -> Result<(), Unwritten> {
         let statement = steps.statement().clone();
         let printer = Printer::new(decided);
-        for (number, map) in statement.maps().iter().enumerate() {
+        for (number, map) in statement.implicit().iter().enumerate() {
             let partials = statement
                 .quantities()
                 .iter()
@@ -435,7 +435,7 @@ impl Theorem {
     fn flights(&mut self, statement: &Statement, steps: &mut Steps) {
         let mut own = Vec::new();
         for &flight in &steps.flights {
-            let end = |index: i32| statement.times().get(&index).filter(|time| steps.names.has(**time));
+            let end = |index: i32| statement.instants().get(&index).filter(|time| steps.names.has(**time));
             if let (Some(&from), Some(&to)) = (end(flight), end(flight + 1)) {
                 own.push((flight, from, to));
             }
@@ -445,15 +445,11 @@ impl Theorem {
             (flight, from, to)
         });
         let times: Vec<_> = times.collect();
-        let running = statement
-            .quantities()
-            .iter()
-            .position(|quantity| *quantity == Quantity::Running);
-        let running = running.and_then(|place| Some(Symbol(u32::try_from(place).ok()?)));
+        let running = statement.running();
         for (flight, from, to) in times {
             let name = format!("O{}", steps::place(flight));
             self.push(name, format!("{from} < {to}"), "the impacts follow one another".into());
-            if let Some(running) = running.filter(|own| statement.flight() == Some(flight) && steps.names.has(*own)) {
+            if let Some(running) = running.filter(|own| statement.interval() == Some(flight) && steps.names.has(*own)) {
                 let time = steps.names.symbol(statement, running);
                 let says = format!("{from} <= {time} <= {to}");
                 self.push(

@@ -93,7 +93,7 @@ impl<'a> Induction<'a> {
     /// What of the claim is not written.
     pub fn theorem(&self, equation: &Equation, assume: &[Condition]) -> Text {
         let mut own = self.step.question.statement.clone();
-        let steps = &mut Steps::new(&mut own, &Certificate::default());
+        let steps = &mut Steps::new(&mut own, &Certificate::default(), &self.step.goal.symbols.index);
         let printer = Printer::of_operations(self.step);
         let letter = self
             .letter_in(equation)

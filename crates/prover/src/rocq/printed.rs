@@ -4,8 +4,8 @@ use super::steps::Steps;
 use super::text::{Unwritten, number};
 use crate::formula::{Formulas, Meaning, Unknown, Within};
 use crate::script::Decided;
-use claims::Premise;
-use kernel::{Function, FunctionOf, Node, Quantity, Step as Map, Symbol};
+use claims::{MapStep, Premise};
+use kernel::{Function, FunctionOf, Node, Quantity, Symbol};
 use texmath::{
     Condition, Elementary, Equation, Invariant, Map as Equations, Name, Operation, Relation, Series, Tree, pair_of,
 };
@@ -307,10 +307,10 @@ impl Reading<'_> {
         }
         match found.as_slice() {
             &[of, by] => {
-                let statement = steps.statement().clone();
-                let leads = |map: &&Map| map.of.contains(&of) && map.by.contains(&by);
-                let own = statement.maps().iter().find(leads);
-                let mut outright = statement.outright_maps().iter().filter(leads);
+                let leads = |map: &&MapStep| map.implicit.of.contains(&of) && map.implicit.by.contains(&by);
+                let maps = || self.decided.question.maps.iter().filter(leads);
+                let own = maps().find(|map| map.images.is_empty());
+                let mut outright = maps().filter(|map| !map.images.is_empty());
                 let map = own.or_else(|| outright.next().filter(|_| outright.next().is_none()));
                 let map = map.ok_or(Unwritten::Not("a derivative along several maps"))?;
                 self.entry(of, by, map, steps)
@@ -320,7 +320,7 @@ impl Reading<'_> {
     }
 
     /// A derivative of what a map gives by what it starts from: a symbol of its own, or that of what the map says outright.
-    fn entry(&self, of: Symbol, by: Symbol, map: &Map, steps: &mut Steps) -> Text {
+    fn entry(&self, of: Symbol, by: Symbol, map: &MapStep, steps: &mut Steps) -> Text {
         let quantity = Quantity::Partial { of, by };
         let statement = steps.statement().clone();
         if map.images.is_empty() {
@@ -329,7 +329,7 @@ impl Reading<'_> {
             let term = steps.statement().terms_mut().symbol(symbol);
             return steps.full(term);
         }
-        let place = map.of.iter().position(|own| *own == of);
+        let place = map.implicit.of.iter().position(|own| *own == of);
         let image = *place.and_then(|place| map.images.get(place)).ok_or(NO_SYMBOL)?;
         let mut maps = self.decided.goal.symbols.maps();
         let Some(Equations::Equations(equations)) =
@@ -350,13 +350,13 @@ impl Reading<'_> {
         let statement = steps.statement().clone();
         for inner in statement.terms().inside(written) {
             if let Node::Symbol(symbol) = statement.terms().node(inner)
-                && statement.moves_along(*symbol)
-                && !map.by.contains(symbol)
+                && statement.depends(*symbol)
+                && !map.implicit.by.contains(symbol)
             {
                 return Err(Unwritten::Not("a quantity that moves along a map without being of it"));
             }
         }
-        let slope = steps.statement().along(image, map, by);
+        let slope = steps.statement().along(image, &map.implicit, by);
         let by = steps.names.symbol(&statement, by);
         let text = format!("(Derive (fun {by} : R => {says}) {by})");
         steps.outright.insert(text.clone(), slope);
@@ -383,13 +383,13 @@ impl Reading<'_> {
     }
 
     fn matrix(&self, name: &Name, steps: &mut Steps) -> Result<Vec<Vec<String>>, Unwritten> {
-        let statement = steps.statement().clone();
-        let mut all = statement.maps().iter().chain(statement.outright_maps());
+        let mut all = self.decided.question.maps.iter();
         if let Some(map) = all.find(|map| map.name == name.to_string()) {
             let mut rows = Vec::new();
-            for of in &map.of {
+            let own = &map.implicit;
+            for of in &own.of {
                 let row: Result<Vec<String>, Unwritten> =
-                    map.by.iter().map(|by| self.entry(*of, *by, map, steps)).collect();
+                    own.by.iter().map(|by| self.entry(*of, *by, map, steps)).collect();
                 rows.push(row?);
             }
             return Ok(rows);
@@ -472,7 +472,7 @@ fn symbol_of(printed: &str, steps: &mut Steps) -> Result<Symbol, Unwritten> {
     let statement = steps.statement();
     let all = (0..u32::try_from(statement.terms().symbols()).unwrap_or(0)).map(Symbol);
     let mut named = all.filter(|symbol| {
-        let is_own = !matches!(statement.quantity(*symbol), Some(Quantity::Fresh(_)));
+        let is_own = statement.quantity(*symbol) != Some(Quantity::Fresh);
         is_own && statement.terms().symbol_name(*symbol) == printed
     });
     match (named.next(), named.next()) {
@@ -490,15 +490,19 @@ fn symbol(printed: &str, steps: &mut Steps) -> Text {
 
 /// The value of an unknown function, under the name that is declared for its derivative.
 fn value(unknown: &Unknown, at: &str, steps: &mut Steps) -> Text {
-    let of = match unknown.flight {
-        None => FunctionOf::Line(unknown.of.clone()),
-        Some(impact) => FunctionOf::Flight {
-            state: unknown.of.clone(),
-            impact,
-        },
-    };
     let statement = steps.statement().clone();
-    let place = statement.functions().iter().position(|known| *known == of);
+    let name = unknown.of.to_string();
+    let is_own = |(place, of): (usize, &FunctionOf)| match *of {
+        FunctionOf::Line => {
+            let function = u32::try_from(place).map(Function);
+            unknown.flight.is_none() && function.is_ok_and(|own| statement.terms().function_name(own) == name)
+        }
+        FunctionOf::Interval { piecewise, offset } => {
+            let text = statement.piecewise().get(piecewise).map(|own| &own.text);
+            unknown.flight == Some(offset) && text == Some(&name)
+        }
+    };
+    let place = statement.functions().iter().enumerate().position(is_own);
     let place = place.ok_or(Unwritten::Not("a function that is no function of its own"))?;
     let mut function = Function(u32::try_from(place).unwrap_or(u32::MAX));
     let mut order = unknown.order;

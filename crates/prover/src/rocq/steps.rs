@@ -3,7 +3,7 @@
 use super::text::{Names, Unwritten, Writer, number, property};
 use kernel::{
     Axiom, AxiomRow, Certificate, Checker, EFFORT, FunctionOf, Guard, Inference, Instance, LawSource, Node, Polynomial,
-    Property, Quantity, Quotient, Statement, Summand, Symbol, Term, vanishes,
+    Property, Quotient, Statement, Summand, Symbol, Term, vanishes,
 };
 use num_traits::{One, Zero};
 use numbers::Rational;
@@ -196,10 +196,10 @@ fn ratio(of: &Polynomial, by: &Polynomial) -> Option<Rational> {
 }
 
 impl<'a> Steps<'a> {
-    pub fn new(statement: &'a mut Statement, certificate: &Certificate) -> Self {
+    pub fn new(statement: &'a mut Statement, certificate: &Certificate, index: &str) -> Self {
         Self {
             checker: Checker::new(statement, certificate, EFFORT),
-            names: Names::default(),
+            names: Names::new(index),
             whole: certificate.whole.iter().copied().collect(),
             on: Grounds::new(),
             times: BTreeMap::new(),
@@ -304,7 +304,7 @@ impl<'a> Steps<'a> {
         match source {
             LawSource::Given { given, shift } => {
                 let law = self.checker.statement.givens().get(given)?.law.clone()?;
-                Some((law.time?, law.flight.map(|flight| flight + shift)))
+                Some((law.time?, law.interval.map(|flight| flight + shift)))
             }
             LawSource::Derived(number) => self.times.get(&number).copied(),
         }
@@ -325,16 +325,11 @@ impl<'a> Steps<'a> {
     fn ends(&mut self, flight: i32) -> Result<[String; 2], Unwritten> {
         self.flights.insert(flight);
         let statement = &mut *self.checker.statement;
-        let family = statement.quantities().iter().find_map(|quantity| match quantity {
-            Quantity::Time { family, .. } => Some(family.clone()),
-            _ => None,
-        });
-        let family = family.ok_or(Unwritten::Not("a flight whose ends have no names"))?;
-        let letter = statement.letter().to_owned();
-        let ends = [flight, flight + 1].map(|index| match statement.times().get(&index) {
-            Some(known) => *known,
-            None => statement.time(&family, index, &letter),
-        });
+        let mut end = |index: i32| {
+            let instant = statement.instant(index);
+            instant.ok_or(Unwritten::Not("a flight whose ends have no names"))
+        };
+        let ends = [end(flight)?, end(flight + 1)?];
         let [from, to] = ends.map(|symbol| self.checker.statement.terms_mut().symbol(symbol));
         Ok([self.full(from)?, self.full(to)?])
     }
@@ -380,10 +375,11 @@ impl<'a> Steps<'a> {
         let mut names = Vec::new();
         for inner in inside {
             if let Node::Value(function, order, _) = statement.terms().node(inner)
-                && let Some(FunctionOf::Flight { impact, .. }) = statement.functions().get(function.0 as usize)
+                && let Some(FunctionOf::Interval { offset: impact, .. }) =
+                    statement.functions().get(function.0 as usize)
             {
                 for (index, mark) in [(*impact, 'a'), (*impact + 1, 'b')] {
-                    if statement.times().get(&index) == Some(&symbol) {
+                    if statement.instants().get(&index) == Some(&symbol) {
                         let name = format!("E{}_{order}{mark}", function.0);
                         if statement.end_of(*function, *order, mark == 'a').is_some() && !names.contains(&name) {
                             names.push(name);
@@ -808,7 +804,11 @@ impl<'a> Steps<'a> {
             }
             Inference::Law { source, at } => self.law(*source, *at),
             Inference::Between { target, within } => self.between(target, within),
-            Inference::Along { map, equation, by } => self.along(*map, *equation, *by),
+            Inference::Along {
+                implicit: map,
+                equation,
+                by,
+            } => self.along(*map, *equation, *by),
             Inference::Cases { .. } | Inference::Derivative(_) | Inference::Constant { .. } => Err(NO_SUCH),
         }
     }
@@ -946,14 +946,14 @@ impl<'a> Steps<'a> {
 
     /// An equation of a map, differentiated along it.
     fn along(&mut self, map: usize, equation: usize, by: Symbol) -> Text {
-        let step = self.checker.statement.maps().get(map).cloned().ok_or(NO_SUCH)?;
+        let step = self.checker.statement.implicit().get(map).cloned().ok_or(NO_SUCH)?;
         let term = step.equations.get(equation).ok_or(NO_SUCH)?.1;
         let slope = self.checker.statement.along(term, &step, by);
         let written = self.checker.statement.written_out(term);
         let moving = self.checker.statement.terms().inside(written);
         for inner in moving {
             if let Node::Symbol(symbol) = *self.checker.statement.terms().node(inner)
-                && self.checker.statement.moves_along(symbol)
+                && self.checker.statement.depends(symbol)
                 && !step.by.contains(&symbol)
                 && !step.of.contains(&symbol)
             {
@@ -966,7 +966,7 @@ impl<'a> Steps<'a> {
         let near = self
             .checker
             .statement
-            .holding_near(&domain, &[written], &Statement::moves_along);
+            .holding_near(&domain, &[written], &Statement::depends);
         domain.extend(near.unwrap_or_default());
         let mut names = Vec::new();
         for (count, (shown, of)) in domain.into_iter().enumerate() {
@@ -1375,7 +1375,7 @@ impl<'a> Steps<'a> {
             of,
             time,
             at,
-            flight,
+            interval: flight,
             steps,
         } = step
         else {

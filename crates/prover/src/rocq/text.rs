@@ -124,6 +124,8 @@ pub struct Names {
     functions: BTreeMap<(u32, u32), String>,
     letters: BTreeMap<String, String>,
     taken: BTreeSet<String>,
+    /// The letter of the index.
+    index: String,
 }
 
 /// A printed name as letters, digits and underscores.
@@ -147,6 +149,14 @@ fn plain(printed: &str) -> String {
 }
 
 impl Names {
+    /// No names yet, where this letter is the index.
+    pub fn new(index: &str) -> Self {
+        Self {
+            index: index.to_owned(),
+            ..Self::default()
+        }
+    }
+
     /// A name like a printed one that is not taken yet.
     fn new_name(&mut self, printed: &str) -> String {
         let mut name = plain(printed);
@@ -209,12 +219,10 @@ impl Names {
         if let Some(known) = self.functions.get(&(function.0, order)) {
             return known.clone();
         }
-        let printed = match statement.functions().get(function.0 as usize) {
-            Some(FunctionOf::Flight { state, impact }) => {
-                format!("{state}_from_{}", texmath::subscript_of(*impact, statement.letter()))
-            }
-            _ => statement.terms().function_name(function).to_owned(),
-        };
+        let mut printed = statement.terms().function_name(function).to_owned();
+        if let Some(FunctionOf::Interval { offset, .. }) = statement.functions().get(function.0 as usize) {
+            printed = format!("{printed}_from_{}", texmath::subscript_of(*offset, &self.index));
+        }
         let name = match order {
             0 => self.new_name(&printed),
             _ => self.new_name(&format!("{printed}_D{order}")),
