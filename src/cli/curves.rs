@@ -98,10 +98,9 @@ fn groups(
     periods: u32,
     options: &OrbitOptions,
 ) -> Box<dyn Iterator<Item = Result<Group, Failure>>> {
-    let middle = plane.ranges().map(|range| Interval::point(range.midpoint()));
-    let is_of_pairs = match plane.motion_at(middle.each_ref()) {
-        Ok(motion) => is_covered(&motion, word),
-        Err(failure) => return Box::new(std::iter::once(Err(failure.into()))),
+    let is_of_pairs = match are_of_pairs(plane, word) {
+        Ok(is_of_pairs) => is_of_pairs,
+        Err(failure) => return Box::new(std::iter::once(Err(failure))),
     };
     if !is_of_pairs {
         note(&format!(
@@ -125,6 +124,25 @@ fn groups(
     }
     let first = std::iter::once(Group::Undecided(periods, open));
     Box::new(first.chain(curves.map(Group::Curve)).map(Ok))
+}
+
+/// Whether motions of a word over a plane are those of which all bifurcations on a line are found.
+fn are_of_pairs(plane: &Plane, word: &Word) -> Result<bool, Failure> {
+    let middle = plane.ranges().map(|range| Interval::point(range.midpoint()));
+    Ok(is_covered(&plane.motion_at(middle.each_ref())?, word))
+}
+
+/// The curves of a word over so many periods, one after the other.
+pub(super) fn curves(
+    plane: &Plane,
+    word: &Word,
+    periods: u32,
+    options: &OrbitOptions,
+) -> Result<Box<dyn Iterator<Item = Vec<CurvePoint>>>, Failure> {
+    Ok(match are_of_pairs(plane, word)? {
+        true => Box::new(OneOneCurves::new(plane.clone(), periods, plane.lines, options)?),
+        false => Box::new(WordCurves::new(plane.clone(), word, periods, plane.lines, options)?),
+    })
 }
 
 fn undecided(count: usize, periods: u32, (_, place): &Open) -> Vec<Cell> {

@@ -19,6 +19,9 @@ pub(super) enum Motions {
 /// Events that are no farther apart, in ranges of the parameter, are one.
 const SAME: f64 = 1e-9;
 
+/// Velocities of an impact that are no farther apart are one.
+const NEAR: f64 = 1e-6;
+
 impl Motions {
     /// Those of a word over so many periods.
     pub fn new(
@@ -97,10 +100,18 @@ fn parting(
     is_known: &dyn Fn(&WordBranches<Setting>) -> bool,
 ) -> Vec<WordBranches<Setting>> {
     let mut found = Vec::new();
-    // where a branch that has been followed parts: it may leave and come back
-    let mut left: Vec<f64> = Vec::new();
+    // where a branch that has been followed parts: it may leave and come back; mirror images part at one parameter
+    let mut left: Vec<(f64, Vec<f64>)> = Vec::new();
     for event in events {
-        let is_here = |at: &f64| (at - event.parameter).abs() < SAME * width;
+        let is_near = |velocity: &f64| {
+            event
+                .velocities
+                .first()
+                .is_some_and(|own| (own - velocity).abs() < NEAR)
+        };
+        let is_here = |(at, velocities): &(f64, Vec<f64>)| {
+            (at - event.parameter).abs() < SAME * width && velocities.iter().any(is_near)
+        };
         if left.iter().any(is_here) {
             continue;
         }
@@ -108,7 +119,7 @@ fn parting(
             continue;
         };
         let own = followed.bifurcations();
-        left.extend(own.iter().map(|event| event.parameter));
+        left.extend(own.iter().map(|event| (event.parameter, event.velocities.clone())));
         let further = match switches {
             1 => Vec::new(),
             _ => parting(&own, switched, width, switches - 1, &|other| {

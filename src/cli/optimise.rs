@@ -244,21 +244,17 @@ fn local_table(asked: &BoxChoice, local: &LocalChoice) -> Result<Table, Failure>
     note(&format!(
         "the best device that local searches find, with a motion {word} that is proved; there may be better ones"
     ));
-    let row = |name: &str, value: &Interval, high: Cell| {
-        let mut row = vec![
-            Cell::from(name),
-            Cell::from(value.low()),
-            high,
-            Cell::from(value.midpoint()),
-        ];
+    // where the best of all lies is not known: nothing is low or high but the voltage of this one
+    let row = |name: &str, low: Cell, value: &Interval| {
+        let mut row = vec![Cell::from(name), low, Cell::Empty, Cell::from(value.midpoint())];
         row.resize(COLUMNS.len(), Cell::Empty);
         row
     };
-    let mut objective = row("voltage_rate", &device.rate, Cell::Empty);
+    let mut objective = row("voltage_rate", Cell::from(device.rate.low()), &device.rate);
     objective[COLUMNS.len() - 2] = Cell::from(false);
     table.push(objective)?;
     for (over, value) in asked.parameters.iter().zip(&device.parameters) {
-        table.push(row(over.name(), value, Cell::from(value.high())))?;
+        table.push(row(over.name(), Cell::Empty, value))?;
     }
     Ok(table)
 }
@@ -298,6 +294,9 @@ fn line(progress: &OptimumProgress) -> String {
 }
 
 fn say(asked: &BoxChoice, found: &Optimum, limits: OptimumLimits) {
+    if asked.has_other_words {
+        note("of the words, BT alone is searched, with proof; `--set words=WORD` looks for devices with another one");
+    }
     let periods = asked.choice.max_periods;
     let over = if periods == 1 {
         "one forcing period".to_owned()

@@ -136,6 +136,77 @@ fn the_cascade_of_the_table_is_followed_from_doubling_to_doubling() {
 }
 
 #[test]
+fn mirror_images_double_at_one_gap_and_both_are_followed() {
+    let set = [
+        "branch",
+        "fig02",
+        "--set",
+        "device.incline=0",
+        "--set",
+        "options.switches=1",
+        "--set",
+        "sweep.points=3",
+        "--set",
+        "sweep.from=0.15",
+        "--set",
+        "sweep.to=0.3",
+        "--format",
+        "csv",
+    ];
+    let rows = rows(&run(&set).succeeded());
+    let of_kind = |word: &str| {
+        let own = rows
+            .iter()
+            .filter(|row| cell(row, "kind") == "period-doubling" && cell(row, "word") == word);
+        own.map(|row| (number(row, "d"), cell(row, "velocities").to_owned()))
+            .collect::<Vec<_>>()
+    };
+    let (flips, doubled) = (of_kind("BT"), of_kind("BTBT"));
+    assert_eq!(flips.len(), 2, "{flips:?}");
+    for (d, velocities) in &flips {
+        let mut own = doubled
+            .iter()
+            .filter(|(at, other)| (at - d).abs() < 1e-9 && other.starts_with(&velocities[..9]));
+        assert!(own.next().is_some(), "{d} {velocities}: {doubled:?}");
+    }
+}
+
+#[test]
+fn a_device_of_another_word_is_a_proved_motion_and_no_bound_of_all() {
+    let rows = rows(
+        &run(&[
+            "optimise",
+            "examples/optimum.toml",
+            "--set",
+            "words=BTT",
+            "--format",
+            "csv",
+        ])
+        .succeeded(),
+    );
+    let rate = &rows[0];
+    assert!(cell(rate, "high").is_empty() && cell(rate, "complete") == "false");
+    assert!(
+        number(rate, "low") <= number(rate, "value") && number(rate, "low") > 100_000.0,
+        "{rate:?}"
+    );
+    assert!(
+        rows[1..]
+            .iter()
+            .all(|row| cell(row, "low").is_empty() && number(row, "value").is_finite())
+    );
+    let both = run(&[
+        "optimise",
+        "examples/optimum.toml",
+        "--set",
+        "words=[\"BT\", \"BTT\"]",
+        "--gap",
+        "0.5",
+    ]);
+    assert!(both.stderr.contains("BT alone is searched"), "{}", both.stderr);
+}
+
+#[test]
 fn curves_of_other_words_pass_through_the_bifurcations_on_their_lines() {
     let set =
         "branch={lines = 1, x = {over = \"g\", from = 0.5, to = 0.9}, y = {over = \"r_b\", from = 0.4, to = 0.6}}";

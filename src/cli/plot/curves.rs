@@ -1,7 +1,7 @@
 //! The curves of bifurcations over the two parameters of `[branch]`, alone or over a map.
 
-use super::super::Failure;
-use crate::orbit::{OneOneCurves, ParameterPlane, SpecialPoint};
+use super::super::{Failure, curves};
+use crate::orbit::{ParameterPlane, SpecialPoint};
 use crate::report::figure::{BifurcationCurve, BifurcationCurves, Parameter};
 use crate::report::plot::{Panel, Series};
 use crate::scene::{Over, Scene, Want};
@@ -27,18 +27,21 @@ pub(super) fn of(scene: &Scene) -> Result<Option<Curves>, Failure> {
         curves: Vec::new(),
         special: Vec::new(),
     };
-    for periods in 1..=scene.max_periods()? {
-        for points in OneOneCurves::new(plane.clone(), periods, plane.lines, &scene.options()?)? {
-            let Some(kind) = points.first().map(|point| point.motion.kind) else {
-                continue;
-            };
-            let at = points.iter().map(|point| ((point.motion.parameter, point.y), point));
-            let named = at.clone().filter(|(_, point)| point.special != SpecialPoint::Step);
-            drawn.special.extend(named.map(|(at, point)| (point.special, at)));
-            drawn.curves.push(BifurcationCurve {
-                kind,
-                points: at.map(|(at, point)| (at, point.motion.admissible)).collect(),
-            });
+    let options = scene.options()?;
+    for word in scene.words()? {
+        for periods in 1..=scene.max_periods()? {
+            for points in curves::curves(&plane, &word, periods, &options)? {
+                let Some(kind) = points.first().map(|point| point.motion.kind) else {
+                    continue;
+                };
+                let at = points.iter().map(|point| ((point.motion.parameter, point.y), point));
+                let named = at.clone().filter(|(_, point)| point.special != SpecialPoint::Step);
+                drawn.special.extend(named.map(|(at, point)| (point.special, at)));
+                drawn.curves.push(BifurcationCurve {
+                    kind,
+                    points: at.map(|(at, point)| (at, point.motion.admissible)).collect(),
+                });
+            }
         }
     }
     Ok(Some(Curves { overs, drawn }))

@@ -388,7 +388,10 @@ fn in_flight<T: Analytic, W: Waves<T>>(
 ) -> Place<T, W> {
     let wall = motion.d().clone() * T::from_ratio(1, 2);
     let distances = [wall.clone() - position.clone(), position.clone() + wall].map(|distance| distance.to_f64());
-    let is_inside = distances[0] >= 0.0 && (distances[1] >= 0.0 || !scaled.has_top);
+    // how far the number, rounded, may lie from what it stands for
+    let rounded = 4.0 * scaled.epsilon * (motion.d().to_f64() + position.to_f64().abs());
+    let is_off = |distance: f64| distance == 0.0 || distance > rounded;
+    let is_inside = is_off(distances[0]) && (is_off(distances[1]) || !scaled.has_top);
     let speed = velocity.to_f64();
     if !(is_inside && distances[0].is_finite() && may_start(turns, phase.to_f64(), speed.abs())) {
         return Place::Outside { phase, velocity };

@@ -109,6 +109,11 @@ impl<'a, T: Analytic, W: Waves<T>> Flight<'a, T, W> {
             let drift = start.w.to_f64() + start.waves.f1().to_f64();
             drift.abs() * angle + self.g.to_f64().abs() * bent + 2.0 * bounds.f2
         };
-        4.0 * self.scaled.epsilon * (size + self.start.y.to_f64())
+        // of a start in flight the distances from the walls are rounded as well
+        let apart = match &self.from.height {
+            None => 0.0,
+            Some(height) => self.scaled.gap.to_f64() + height.to_f64(),
+        };
+        4.0 * self.scaled.epsilon * (size + apart)
     }
 }

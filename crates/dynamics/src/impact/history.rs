@@ -418,7 +418,11 @@ fn opened<T: Endpoint, N: Telling<T> + 'static>(
                 side: event.side,
                 velocity: tell(&event.velocity),
                 kind: event.kind,
-                digits: growth.digits_at(elapsed, event.velocity.to_f64()).min(figures),
+                // an impact at the very instant of the start was only rounded to it
+                digits: match events > 1 && elapsed == 0.0 && event.kind == Kind::Impact {
+                    true => 0,
+                    false => growth.digits_at(elapsed, event.velocity.to_f64()).min(figures),
+                },
                 number: T::rung(),
                 bounds: None,
             },

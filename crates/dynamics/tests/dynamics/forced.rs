@@ -436,3 +436,31 @@ fn wider_numbers_hold_more_impacts() {
     }
     assert!(count > 30, "{count}");
 }
+
+#[test]
+fn a_ball_that_starts_closer_to_a_wall_than_a_number_tells_is_left_to_a_wider_one() {
+    // 1e-18 off the bottom and moving towards it so slowly that it turns before
+    let motion = Motion::new(-0.3315, 0.1839, 0.82, 0.66).expect("a motion");
+    let nearest = 0.5 * 0.1839_f64;
+    let start = Start::in_flight(3.843_155_921_538_758, nearest.next_down(), 1e-9);
+    let mut simulation = Simulation::new(&motion, &start);
+    assert_eq!(simulation.next().map(|event| event.kind), Some(Kind::Undecided));
+    let wide = motion.convert(|value| Wide::<60>::from_f64(*value)).expect("a motion");
+    let mut exact = Simulation::new(&wide, &start.convert(|value| Wide::from_f64(*value)));
+    assert_eq!(exact.next().map(|event| event.kind), Some(Kind::Impact));
+}
+
+#[test]
+fn a_pressed_ball_without_speed_rests_at_once_even_where_nothing_is_lost() {
+    let motion = Motion::new(0.122_01, 0.3, 1.0, 1.0).expect("a motion");
+    let start = Start::impact(Side::Bottom, 0.3, 0.0);
+    let mut enclosed = Enclosure::new(
+        &motion.convert(|value| Interval::point(*value)).expect("a motion"),
+        &start.convert(|value| Interval::point(*value)),
+    );
+    let kinds: Vec<Kind> = (0..3)
+        .filter_map(|_| enclosed.next())
+        .map(|event: Event<Interval<f64>>| event.kind)
+        .collect();
+    assert_eq!(kinds, [Kind::Impact, Kind::Rest, Kind::Release]);
+}

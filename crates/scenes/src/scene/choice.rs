@@ -19,6 +19,8 @@ pub struct BoxChoice {
     pub choice: Choice,
     /// Of what motions, where these are not BT under the forcing of the paper, all of which can be excluded by proof.
     pub local: Option<LocalChoice>,
+    /// Whether there are words beside BT, which are left out.
+    pub has_other_words: bool,
 }
 
 /// Motions of which good devices are looked for from many starts.
@@ -159,6 +161,7 @@ impl Scene {
         let base = self.local_base()?;
         let is_local = !words.contains(&Word::pair()) || base.other_forcing().is_some();
         Ok(BoxChoice {
+            has_other_words: !is_local && words.len() > 1,
             local: is_local.then_some(LocalChoice { words, base }),
             parameters,
             choice: Choice {

@@ -97,7 +97,7 @@ keys! {
     PHASE = "start" "phase" Allowed::Finite, "the phase of the forcing at the start, rad";
     VELOCITY = "start" "velocity" Allowed::Finite, "the velocity, without unit: its size just before the first impact, or with start.z Zdot in flight";
     SIDE = "start" "side" Allowed::Text, "the wall of the first impact: bottom or top";
-    Z = "start" "z" Allowed::Finite, "where the ball starts in flight, without unit: from -d/2 at the top to d/2 at the bottom; of one wall 0 or less";
+    Z = "start" "z" Allowed::Finite, "where the ball starts in flight, without unit: between -d/2 at the top and d/2 at the bottom; of one wall below 0";
     OVER = "sweep" "over" Allowed::Text, "what is swept";
     FROM = "sweep" "from" Allowed::Finite, "the first value";
     TO = "sweep" "to" Allowed::Finite, "the last value";

@@ -90,7 +90,7 @@ impl Scene {
         Ok(wants)
     }
 
-    /// The words of `orbits` and `branch`, each once, in the order given; BT where none is given.
+    /// The words of `orbits` and `branch`, each once, in the order given; BT where none is given, of one wall B.
     ///
     /// # Errors
     /// What is no word.
@@ -103,7 +103,9 @@ impl Scene {
             }
         }
         match self.document.get(&key::WORDS) {
-            None => words.push(Word::pair()),
+            None if self.has_top()? => words.push(Word::pair()),
+            // of one wall there is no other of one impact
+            None => words.extend("B".parse::<Word>()),
             Some(entry) if words.is_empty() => {
                 return Err(self.wrong(&key::WORDS, entry, "a list of words, as [\"BT\"]".to_owned()));
             }
@@ -320,10 +322,11 @@ impl Scene {
         };
         let motion = self.motion::<f64>()?;
         let (z, half) = (z.value::<f64>(), 0.5 * motion.d());
-        if z > half || (motion.has_top() && z < -half) {
+        if z >= half || (motion.has_top() && z <= -half) {
+            let at_wall = "a ball at a wall starts with start.side, and the velocity before its impact";
             let allowed = match motion.has_top() {
-                true => format!("from -d/2 to d/2, {half}"),
-                false => "0 or less: the wall is at 0, and Z points down".to_owned(),
+                true => format!("between -d/2 and d/2, {half}; {at_wall}"),
+                false => format!("below 0: the wall is at 0, and Z points down; {at_wall}"),
             };
             return Err(self.wrong(&key::Z, entry, allowed));
         }

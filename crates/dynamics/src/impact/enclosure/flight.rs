@@ -326,6 +326,9 @@ impl<E: Endpoint, W: Waves<Interval<E>>> Flight<E, W> {
             return None;
         }
         let one = || Interval::<E>::from_integer(1);
+        if self.start.w.high().is_zero() && self.start.w.low().is_zero() && self.start.push.is_positive() {
+            return Some(Interval::from_integer(0));
+        }
         let twice = self.start.w.clone() + self.start.w.clone();
         let room = one() - restitution.clone();
         if !(self.start.push.is_positive() && room.is_positive() && self.start.w.low() >= E::zero()) {
