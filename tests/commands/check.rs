@@ -339,7 +339,7 @@ fn what_makes_no_row_is_refused_by_column_and_changes_nothing() {
         ),
         (("--printed", "NaN"), "--add, column `printed`: `NaN` is not a number"),
         (("--set", "motion.d"), "--add, column `set`: `motion.d` is no setting"),
-        (("--set", "motion.r_b=2"), "above 0 and at most 1"),
+        (("--set", "motion.r_b=2"), "from 0 to 1"),
         (("--scene", "none.toml"), "none.toml: there is no such file"),
         (("--scene", "fig99"), "no built-in scene `fig99`"),
         (("--scene", ""), "--add: no scene is named"),
@@ -442,7 +442,7 @@ fn what_is_wrong_in_printed_csv_is_named_by_file_line_and_column() {
         (
             "value",
             "a,p,scenes/own.toml,motion.r_b=1.5,motion.d,1,,wrong,,",
-            vec!["line 3", "1.5", "above 0 and at most 1"],
+            vec!["line 3", "1.5", "from 0 to 1"],
         ),
         (
             "nan-value",

@@ -160,7 +160,7 @@ fn what_cannot_be_mapped_is_refused_before_anything_is_written() {
     for (set, words) in [
         ("map.y.over=d", &["map.y.over", "another parameter than d"][..]),
         ("map.y.over=mass", &["map.y.over", "one of d, r_b"]),
-        ("map.y.to=1.2", &["map.y.to is 1.2", "above 0 and at most 1"]),
+        ("map.y.to=1.2", &["map.y.to is 1.2", "from 0 to 1"]),
         ("map.y.to=0.3", &["other than map.y.from"]),
         ("map.x.points=0", &["map.x.points is 0", "an integer from 1"]),
         ("map.x.from=NaN", &["map.x.from"]),

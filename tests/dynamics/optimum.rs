@@ -265,7 +265,7 @@ fn what_cannot_be_a_box_is_refused() {
         ("box={d = [nan, 0.5]}", &["box.d", "a finite number"]),
         ("box={d = [0.1, inf]}", &["box.d", "a finite number"]),
         ("box={d = [0, 0.5]}", &["box.d is 0", "above 0, as d is"]),
-        ("box={r_b = [0.3, 1.2]}", &["box.r_b is 1.2", "above 0 and at most 1"]),
+        ("box={r_b = [0.3, 1.2]}", &["box.r_b is 1.2", "from 0 to 1"]),
         ("box={r_t = [0, 1]}", &["box.r_t is 0", "above 0 and at most 1"]),
         ("box={d = 0.3}", &["box.d is 0.3", "a list of two numbers"]),
         ("box={d = [0.1, 0.2, 0.3]}", &["box.d", "a list of two numbers"]),
