@@ -289,7 +289,7 @@ impl Scene {
             let allowed = "left out where start.z says where the ball is in flight".to_owned();
             return Err(self.wrong(&key::SIDE, self.require(&key::SIDE, None)?, allowed));
         }
-        self.check_start(&start, &key::VELOCITY, self.require(&key::VELOCITY, None)?)?;
+        self.check_start(&start, self.require(&key::VELOCITY, None)?)?;
         Ok(start)
     }
 
@@ -306,11 +306,13 @@ impl Scene {
     }
 
     /// That the velocity of an impact is its size.
-    fn check_start(&self, start: &Start, key: &'static Key, velocity: &Entry) -> Result<(), SceneError> {
+    fn check_start(&self, start: &Start, velocity: &Entry) -> Result<(), SceneError> {
         match start.position {
-            None if start.velocity.sign() == std::cmp::Ordering::Less => {
-                Err(self.wrong(key, velocity, "0 or more: the size of that of an impact".to_owned()))
-            }
+            None if start.velocity.sign() == std::cmp::Ordering::Less => Err(self.wrong(
+                &key::VELOCITY,
+                velocity,
+                "0 or more: the size of that of an impact".to_owned(),
+            )),
             _ => Ok(()),
         }
     }
@@ -564,7 +566,7 @@ impl Scene {
                 side: Side::Bottom,
                 position: find("z").map(|entry| self.number_in(&key::Z, entry)).transpose()?,
             };
-            self.check_start(&start, key, required(&key::VELOCITY)?)?;
+            self.check_start(&start, required(&key::VELOCITY)?)?;
             Ok(start)
         };
         list.iter().map(start).collect()
