@@ -336,6 +336,7 @@ fn what_does_not_go_together_is_refused_with_the_key() {
     }
 }
 
+/// The scenes are golden/table/scenes/table.toml and golden/table/scenes/bouncing.toml.
 #[test]
 fn the_textbook_on_the_shaken_table_is_reproduced() {
     let ran = run(&["check", "golden/table", "--format", "csv"]);

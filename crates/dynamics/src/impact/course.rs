@@ -6,7 +6,7 @@ use super::expansion::Expansion;
 use super::flight::{Arrival, Flight, Stop};
 use super::scaled::{Departure, Scaled};
 use super::start::Start;
-use super::turns::Turn;
+use super::waves::Turn;
 use super::waves::Waves;
 use crate::model::{Motion, Side};
 use numbers::Analytic;

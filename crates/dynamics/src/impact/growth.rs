@@ -4,7 +4,7 @@ use super::course::{Step, Witness};
 use super::event::Event;
 use super::flight::{Arrival, Flight};
 use super::scaled::Scaled;
-use super::turns::Turn;
+use super::waves::Turn;
 use super::waves::Waves;
 use crate::model::Side;
 use numbers::Analytic;

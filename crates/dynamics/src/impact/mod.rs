@@ -19,7 +19,6 @@ mod simulation;
 mod start;
 mod swing;
 mod trajectory;
-mod turns;
 mod waves;
 mod widening;
 

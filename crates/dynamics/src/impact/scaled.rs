@@ -1,7 +1,7 @@
 //! A motion in units without pi, seen from the wall that the ball left.
 
 use super::swing::REACH;
-use super::turns::Turn;
+use super::waves::Turn;
 use super::waves::{Bounds, Cosine, Waves};
 use crate::model::{Motion, Side};
 use numbers::Analytic;

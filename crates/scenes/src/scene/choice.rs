@@ -2,8 +2,8 @@
 
 use super::document::Value;
 use super::error::SceneError;
+use super::harmonics::driven;
 use super::key::{self, Key, allowed_number};
-use super::setting::driven;
 use super::{Over, Quantity, Scene};
 use dynamics::model::{DeviceError, Motion};
 use dynamics::orbit::{Choice, Devices, Gap, Pull, Range, Unit, Word};

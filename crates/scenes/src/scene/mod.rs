@@ -24,6 +24,7 @@ mod document;
 mod error;
 mod explain;
 mod following;
+mod harmonics;
 mod key;
 mod need;
 mod pace;

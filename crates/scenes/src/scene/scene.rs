@@ -2,8 +2,8 @@
 
 use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
+use super::harmonics::{Harmonics, driven};
 use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys, allowed_number, one_of};
-use super::setting::{Harmonics, driven};
 use super::sweep::{Begin, Diagram, Extent, Map, MapWant, Over, Spaced, StartGrid, Sweep};
 use super::{Quantity, Start, Want};
 use dynamics::model::{Device, Membrane, MembraneError, Motion, Scales, Side, gravity_component};
