@@ -50,12 +50,7 @@ where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
     let (sweep, setting) = (scene.sweep()?, scene.swept_setting()?);
-    let mut kinds = Vec::new();
-    for word in scene.words()? {
-        for periods in 1..=scene.max_periods()? {
-            kinds.push((word.clone(), periods));
-        }
-    }
+    let kinds = scene.words_and_periods()?;
     let columns = columns(&sweep).into_iter().map(Column::from).collect();
     let switches = scene.switches()?;
     let known = kinds.clone();

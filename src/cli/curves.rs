@@ -62,12 +62,7 @@ pub(super) fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
     );
     columns.extend(MORE);
     let count = columns.len();
-    let mut kinds = Vec::new();
-    for word in scene.words()? {
-        for periods in 1..=scene.max_periods()? {
-            kinds.push((word.clone(), periods));
-        }
-    }
+    let kinds = scene.words_and_periods()?;
     let groups = kinds
         .into_iter()
         .flat_map(move |(word, periods)| groups(&plane, &word, periods, &searched));
@@ -126,7 +121,7 @@ fn groups(
     Box::new(first.chain(curves.map(Group::Curve)).map(Ok))
 }
 
-/// Whether motions of a word over a plane are those of which all bifurcations on a line are found.
+/// Returns true if motions of a word over a plane are those of which all bifurcations on a line are found.
 fn are_of_pairs(plane: &Plane, word: &Word) -> Result<bool, Failure> {
     let middle = plane.ranges().map(|range| Interval::point(range.midpoint()));
     Ok(is_covered(&plane.motion_at(middle.each_ref())?, word))

@@ -8,7 +8,7 @@ use crate::orbit::{
 };
 use crate::scene::{Quantity, Setting, Sweep};
 
-/// Where motions at a value are looked for.
+/// A search for motions at a value of the sweep.
 pub(super) enum Motions {
     /// Those of which all are found.
     Pairs(OneOneBranches<Setting>),
@@ -63,7 +63,7 @@ impl Motions {
         })
     }
 
-    /// Whether the motions that were followed are among these.
+    /// Returns true if the motions that were followed are among these.
     fn has(&self, followed: &WordBranches<Setting>) -> bool {
         match self {
             Self::Pairs(_) => followed.word().0 == Word::pair(),
@@ -133,7 +133,7 @@ fn parting(
 }
 
 /// The range of a sweep, its ends as f64.
-pub(super) fn nearest(sweep: &Sweep) -> Interval<f64> {
+fn nearest(sweep: &Sweep) -> Interval<f64> {
     let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<f64>());
     Interval::new(from.min(to), from.max(to))
 }

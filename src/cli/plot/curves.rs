@@ -28,20 +28,18 @@ pub(super) fn of(scene: &Scene) -> Result<Option<Curves>, Failure> {
         special: Vec::new(),
     };
     let options = scene.options()?;
-    for word in scene.words()? {
-        for periods in 1..=scene.max_periods()? {
-            for points in curves::curves(&plane, &word, periods, &options)? {
-                let Some(kind) = points.first().map(|point| point.motion.kind) else {
-                    continue;
-                };
-                let at = points.iter().map(|point| ((point.motion.parameter, point.y), point));
-                let named = at.clone().filter(|(_, point)| point.special != SpecialPoint::Step);
-                drawn.special.extend(named.map(|(at, point)| (point.special, at)));
-                drawn.curves.push(BifurcationCurve {
-                    kind,
-                    points: at.map(|(at, point)| (at, point.motion.admissible)).collect(),
-                });
-            }
+    for (word, periods) in scene.words_and_periods()? {
+        for points in curves::curves(&plane, &word, periods, &options)? {
+            let Some(kind) = points.first().map(|point| point.motion.kind) else {
+                continue;
+            };
+            let at = points.iter().map(|point| ((point.motion.parameter, point.y), point));
+            let named = at.clone().filter(|(_, point)| point.special != SpecialPoint::Step);
+            drawn.special.extend(named.map(|(at, point)| (point.special, at)));
+            drawn.curves.push(BifurcationCurve {
+                kind,
+                points: at.map(|(at, point)| (at, point.motion.admissible)).collect(),
+            });
         }
     }
     Ok(Some(Curves { overs, drawn }))

@@ -97,12 +97,7 @@ pub(super) fn allowed(count: u64, what: &'static str, most: u64, other: &'static
 /// The motions of the wanted words along the sweep.
 fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
     let (sweep, setting, options) = (scene.sweep()?, scene.swept_setting()?, scene.options()?);
-    let mut kinds = Vec::new();
-    for word in scene.words()? {
-        for periods in 1..=scene.max_periods()? {
-            kinds.push((word.clone(), periods));
-        }
-    }
+    let kinds = scene.words_and_periods()?;
     let mut steps = Vec::new();
     for (word, periods) in &kinds {
         let motions = Motions::new(&setting, &sweep, word, *periods, &options)?;

@@ -34,7 +34,7 @@ pub(super) enum Setup {
 pub(super) struct SimulatedImpact {
     /// g, d, r_B, r_T, and phase and velocity of the start.
     pub inputs: [f64; 6],
-    /// What else the motion is.
+    /// The walls, the forcing and the kind of start.
     pub setup: Setup,
     /// The impacts after the start.
     pub impacts: u32,

@@ -35,7 +35,7 @@ impl<T: Analytic> AnyCourse<T> {
         }
     }
 
-    /// As [`Course::released`].
+    /// Calls [`Course::released`].
     pub fn released(motion: &Motion<T>, side: Side, near: f64) -> Option<Self> {
         Some(match motion.other_forcing() {
             None => Self::Cosine(Course::released(motion, side, near)?),
@@ -43,12 +43,12 @@ impl<T: Analytic> AnyCourse<T> {
         })
     }
 
-    /// As [`Course::complete_to`].
+    /// Calls [`Course::complete_to`].
     pub fn complete_to(&mut self, error: f64) {
         either!(self, course => course.complete_to(error));
     }
 
-    /// How errors grow from the start on.
+    /// The growth of errors from the start on.
     pub fn growth(&self) -> Growth {
         fn of<T: Analytic, W: Waves<T>>(course: &Course<T, W>) -> Growth {
             let mut growth = Growth::new(course.scaled());
@@ -60,12 +60,12 @@ impl<T: Analytic> AnyCourse<T> {
         either!(self, course => of(course))
     }
 
-    /// Whether impacts on a wall lose nothing.
+    /// Returns true if impacts on a wall lose nothing.
     pub fn is_lossless(&self, side: Side) -> bool {
         either!(self, course => course.scaled().restitution(side).is_one())
     }
 
-    /// As [`Course::resume`].
+    /// Calls [`Course::resume`].
     pub fn resume(&mut self, event: &Event<T>) {
         either!(self, course => course.resume(event));
     }
@@ -85,7 +85,7 @@ impl<T: Analytic> AnyCourse<T> {
         }
     }
 
-    /// What ordinary flights need; none where the motion has no such.
+    /// The data of ordinary flights; none where the motion has no such.
     pub fn ordinary(&self) -> Option<&Scaled<T, Cosine<T>>> {
         match self {
             Self::Cosine(course) => Some(course.scaled()).filter(|scaled| {
@@ -96,7 +96,7 @@ impl<T: Analytic> AnyCourse<T> {
         }
     }
 
-    /// As [`Course::goes_on_like`].
+    /// Calls [`Course::goes_on_like`].
     pub fn goes_on_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Cosine(one), Self::Cosine(other)) => one.goes_on_like(other),
@@ -105,7 +105,7 @@ impl<T: Analytic> AnyCourse<T> {
         }
     }
 
-    /// As [`Course::widened`].
+    /// Calls [`Course::widened`].
     pub fn widened<U: Analytic>(&self, motion: &Motion<U>, convert: impl Fn(&T) -> U) -> Option<AnyCourse<U>> {
         Some(match self {
             Self::Cosine(course) => AnyCourse::Cosine(course.widened(motion, convert)?),
@@ -113,7 +113,7 @@ impl<T: Analytic> AnyCourse<T> {
         })
     }
 
-    /// As [`Course::advance`].
+    /// Calls [`Course::advance`].
     #[inline]
     pub fn advance(&mut self, witness: impl Witness<T>) -> Option<Event<T>> {
         either!(self, course => course.advance(witness))

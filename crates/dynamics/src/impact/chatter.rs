@@ -24,7 +24,10 @@ pub(super) fn accumulation<T: Analytic, W: Waves<T>>(
     let (a, w) = (start.push.to_f64(), start.w.to_f64());
     let room = T::one() - r.clone();
     let reach = w / room.to_f64();
-    let (slope, bend) = (start.waves.fall().to_f64(), start.waves.bend().to_f64().abs());
+    let (slope, bend) = (
+        start.waves.minus_slope().to_f64(),
+        start.waves.minus_curvature().to_f64().abs(),
+    );
     // how much the push changes meanwhile, over itself
     let change = (slope * reach / (a * a))
         .abs()
@@ -39,7 +42,7 @@ pub(super) fn accumulation<T: Analytic, W: Waves<T>>(
     }
     let push = &start.push;
     let flight = start.w.clone() / (room * push.clone());
-    let bent = start.waves.fall() * flight.clone() / push.clone() * T::from_ratio(4, 3);
+    let bent = start.waves.minus_slope() * flight.clone() / push.clone() * T::from_ratio(4, 3);
     Some(flight.clone() * (T::from_integer(2) + bent))
 }
 

@@ -24,7 +24,7 @@ const WELL_CLEAR: f64 = 1e-3;
 /// A zero of f + g, as an angle after the departure; a whole turn of it where there is none.
 struct Zero<T> {
     angle: T,
-    /// Which of the turns.
+    /// The number of the turn.
     index: usize,
 }
 
@@ -237,7 +237,7 @@ impl<T: Analytic, W: Waves<T>> Flight<'_, T, W> {
     fn turns_to_skip(&self, angle: f64) -> Result<i64, Stop> {
         let (start, g, gap) = (&self.start, self.g.to_f64(), self.scaled.gap.to_f64());
         let drift = start.w.to_f64() + start.waves.f1().to_f64();
-        let base = start.waves.lowered().to_f64() - start.y.to_f64();
+        let base = start.waves.minus_f2().to_f64() - start.y.to_f64();
         let mean = |x: f64| (drift - 0.5 * g * x) * x - base;
         let room = self.scaled.bounds.f2 + WELL_CLEAR;
         let highest = if self.scaled.has_top { gap - room } else { f64::INFINITY };

@@ -6,7 +6,7 @@ use super::expansion::Expansion;
 use super::flight::{Arrival, Flight, Stop};
 use super::scaled::{Departure, Scaled};
 use super::start::Start;
-use super::waves::Turn;
+use super::turns::Turn;
 use super::waves::Waves;
 use crate::model::{Motion, Side};
 use numbers::Analytic;
@@ -51,7 +51,7 @@ pub(super) enum Step<'a, T: Analytic, W: Waves<T>> {
     Undecided,
 }
 
-/// What is shown each event, with the step that led there.
+/// An observer that is shown each event, with the step that led there.
 pub(super) trait Witness<T: Analytic> {
     fn see<W: Waves<T>>(self, event: &Event<T>, step: Step<T, W>);
 }

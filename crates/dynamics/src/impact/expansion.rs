@@ -43,7 +43,7 @@ impl<T: Analytic, W: Waves<T>> Expansion<T, W> {
         let bent = g.clone() * x.clone();
         let mean = drift.clone() - bent.clone() * T::from_ratio(1, 2);
         Self {
-            y: self.y.clone() + (mean * x.clone() + (waves.lowered() - self.waves.lowered())),
+            y: self.y.clone() + (mean * x.clone() + (waves.minus_f2() - self.waves.minus_f2())),
             w: drift - bent - waves.f1(),
             push: waves.f() + g.clone(),
             waves,
@@ -99,9 +99,9 @@ mod tests {
                     (far.w, after.w),
                     (far.push, after.push),
                     (far.waves.f1(), after.waves.f1()),
-                    (far.waves.lowered(), after.waves.lowered()),
-                    (far.waves.fall(), after.waves.fall()),
-                    (far.waves.bend(), after.waves.bend()),
+                    (far.waves.minus_f2(), after.waves.minus_f2()),
+                    (far.waves.minus_slope(), after.waves.minus_slope()),
+                    (far.waves.minus_curvature(), after.waves.minus_curvature()),
                 ] {
                     assert!((a - b).abs() < 2e-15 * scaled.bounds.bend, "{side} {x}: {a} {b}");
                 }

@@ -75,7 +75,7 @@ impl<'a, T: Analytic, W: Waves<T>> Flight<'a, T, W> {
         let start = &self.start;
         let push = start.push.to_f64();
         let noise = 4.0 * self.scaled.epsilon * self.scaled.bounds.f;
-        let turns_to_press = push.abs() <= noise && start.waves.fall().to_f64() < 0.0;
+        let turns_to_press = push.abs() <= noise && start.waves.minus_slope().to_f64() < 0.0;
         let is_at_wall = self.from.height.is_none();
         is_at_wall && start.w.is_zero() && !self.from.released && (push > 0.0 || turns_to_press)
     }

@@ -4,7 +4,7 @@ use super::course::{Step, Witness};
 use super::event::Event;
 use super::flight::{Arrival, Flight};
 use super::scaled::Scaled;
-use super::waves::Turn;
+use super::turns::Turn;
 use super::waves::Waves;
 use crate::model::Side;
 use numbers::Analytic;
@@ -50,7 +50,7 @@ pub struct Growth {
 impl Growth {
     pub(super) fn new<T: Analytic, W: Waves<T>>(scaled: &Scaled<T, W>) -> Self {
         let g = scaled.g.to_f64().abs() + scaled.bounds.rounded;
-        let steep = |turn: &Turn<T, W>| g / turn.waves.fall().to_f64().abs();
+        let steep = |turn: &Turn<T, W>| g / turn.waves.minus_slope().to_f64().abs();
         Self {
             axes: [[1.0, 0.0], [0.0, 1.0]],
             sides: [0.0; 2],
@@ -201,7 +201,7 @@ impl<T: Analytic> Witness<T> for &mut Growth {
                 let (push, angle) = (start.push.to_f64(), angle.to_f64());
                 let r = self.restitution[event.side as usize];
                 let by_speed = 2.0 * r / (push * (1.0 - r)) * self.error[1];
-                let by_push = angle * (start.waves.fall().to_f64().abs() / push).min(1e8) * self.error[0];
+                let by_push = angle * (start.waves.minus_slope().to_f64().abs() / push).min(1e8) * self.error[0];
                 // the push itself has an absolute error
                 let rounding = error + own * (TAU + angle / push);
                 self.error = [self.error[0] + by_speed + by_push + rounding, 0.0];
@@ -263,7 +263,7 @@ impl Flown {
         };
         // x f(0) + F_1(0) - F_1(x), which cancels where x is small
         let lifted = if x * bounds.highest < 0.1 {
-            x * x * (0.5 * start.waves.fall().to_f64() + x / 6.0 * start.waves.bend().to_f64())
+            x * x * (0.5 * start.waves.minus_slope().to_f64() + x / 6.0 * start.waves.minus_curvature().to_f64())
         } else {
             x * f_0 + f1_0 - f1
         };

@@ -170,8 +170,8 @@ impl<T: Analytic, W: Waves<T>> Meeting<'_, T, W> {
         };
         // distance(step) / approach = first - step - b step² - c step³ - d step⁴, with these
         let b = towards(&there.push) * inverse.clone() * T::from_ratio(1, 2);
-        let c = -towards(&there.waves.fall()) * inverse.clone() * T::from_ratio(1, 6);
-        let d = -towards(&there.waves.bend()) * inverse * T::from_ratio(1, 24);
+        let c = -towards(&there.waves.minus_slope()) * inverse.clone() * T::from_ratio(1, 6);
+        let d = -towards(&there.waves.minus_curvature()) * inverse * T::from_ratio(1, 24);
         let size = first.to_f64().abs();
         let bent = (b.to_f64() * first.to_f64()).abs().max(size);
         if bent.is_nan() || bent >= 0.1 {
@@ -209,7 +209,7 @@ impl<T: Analytic, W: Waves<T>> Meeting<'_, T, W> {
         if stretch.low == 0.0 && stretch.wall == from.side && from.height.is_none() {
             // a short hop, under a push that hardly changes
             let (u, a) = (start.w.to_f64(), start.push.to_f64());
-            let hop = 2.0 * u / a * (1.0 + 2.0 / 3.0 * start.waves.fall().to_f64() * u / (a * a));
+            let hop = 2.0 * u / a * (1.0 + 2.0 / 3.0 * start.waves.minus_slope().to_f64() * u / (a * a));
             if 0.0 < hop && hop < stretch.high.min(self.flight.scaled.reach) {
                 return hop;
             }

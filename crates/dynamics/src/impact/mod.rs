@@ -19,6 +19,7 @@ mod simulation;
 mod start;
 mod swing;
 mod trajectory;
+mod turns;
 mod waves;
 mod widening;
 

@@ -1,7 +1,7 @@
 //! A motion in units without pi, seen from the wall that the ball left.
 
 use super::swing::REACH;
-use super::waves::Turn;
+use super::turns::Turn;
 use super::waves::{Bounds, Cosine, Waves};
 use crate::model::{Motion, Side};
 use numbers::Analytic;
@@ -87,7 +87,7 @@ impl<T: Analytic, W: Waves<T>> Scaled<T, W> {
         &self.restitution[side as usize]
     }
 
-    /// Whether there is this wall.
+    /// Returns true if there is this wall.
     #[inline(always)]
     pub fn has(&self, side: Side) -> bool {
         self.has_top || side == Side::Bottom

@@ -178,19 +178,21 @@ impl<T: Analytic> Motion<T> {
 
     /// f + g at a phase of the forcing, pi t.
     pub fn push(&self, phase: &T) -> T {
-        let f = match &self.forcing {
-            None => phase.sincos().1,
-            Some(forcing) => forcing.at(&(phase.clone() / T::pi())).f,
+        let Some(forcing) = &self.forcing else {
+            return phase.sincos().1 + self.g.clone();
         };
-        f + self.g.clone()
+        forcing.harmonics().fold(self.g.clone(), |sum, (order, cosine, sine)| {
+            let (sin, cos) = (T::from_integer(order) * phase.clone()).sincos();
+            sum + (cosine.clone() * cos + sine.clone() * sin)
+        })
     }
 
-    /// The same, shared.
+    /// [`Motion::other_forcing`], shared.
     pub(crate) fn shared_forcing(&self) -> Option<Arc<Forcing<T>>> {
         self.forcing.clone()
     }
 
-    /// Whether there is a wall at the top.
+    /// Returns true if there is a wall at the top.
     pub fn has_top(&self) -> bool {
         self.has_top
     }

@@ -2,7 +2,7 @@
 
 use crate::model::{Motion, Side};
 use crate::orbit::clearance::{OrbitFlight, least};
-use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact, push};
+use crate::orbit::equations::flight::{LaunchedFlight, OrbitImpact};
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use crate::orbit::stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
 use crate::orbit::word::Word;
@@ -182,7 +182,7 @@ pub fn flight_jacobians<T: Analytic>(
     motion: &Motion<T>,
     fixes: &[OrbitImpact<T>],
 ) -> Vec<FlightJacobian<T>> {
-    let pushes: Vec<_> = fixes.iter().map(|fix| push(motion, &fix.phase)).collect();
+    let pushes: Vec<_> = fixes.iter().map(|fix| motion.push(&fix.phase)).collect();
     let link = |(index, side): (usize, &Side)| {
         let next = (index + 1) % fixes.len();
         FlightJacobian {

@@ -225,7 +225,7 @@ impl<F: Family + Sync> WordBranches<F> {
             && near(&one.times, &other.times)
     }
 
-    /// Whether the branches of another search are among these.
+    /// Returns true if the branches of another search are among these.
     pub fn has(&self, other: &Self) -> bool {
         let held = |branch: &Branch| {
             let middle = &branch.nodes[branch.nodes.len() / 2].point;

@@ -17,9 +17,9 @@ pub struct BoxChoice {
     pub parameters: [Over; 4],
     /// What is asked.
     pub choice: Choice,
-    /// Of what motions, where these are not BT under the forcing of the paper, all of which can be excluded by proof.
+    /// The motions, where these are not BT under the forcing of the paper, of which better devices can be excluded by proof.
     pub local: Option<LocalChoice>,
-    /// Whether there are words beside BT, which are left out.
+    /// True if there are words beside BT, which are left out.
     pub has_other_words: bool,
 }
 

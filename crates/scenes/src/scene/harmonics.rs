@@ -30,7 +30,7 @@ impl Harmonics<Quantity> {
             .count()
     }
 
-    /// Whether f half a period later is -f.
+    /// Returns true if f half a period later is -f.
     pub fn is_odd(&self) -> bool {
         let mut amplitudes = self.cosines.iter().enumerate().chain(self.sines.iter().enumerate());
         amplitudes.all(|(index, typed)| index % 2 == 0 || typed.sign() == Ordering::Equal)

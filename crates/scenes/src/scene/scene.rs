@@ -114,6 +114,18 @@ impl Scene {
         Ok(words)
     }
 
+    /// The words of [`Scene::words`], each with 1 to [`Scene::max_periods`] forcing periods.
+    ///
+    /// # Errors
+    /// Those of both.
+    pub fn words_and_periods(&self) -> Result<Vec<(Word, u32)>, SceneError> {
+        let most = self.max_periods()?;
+        let words = self.words()?.into_iter();
+        Ok(words
+            .flat_map(|word| (1..=most).map(move |periods| (word.clone(), periods)))
+            .collect())
+    }
+
     /// The most forcing periods of a motion, at least 1; 1 where nothing is said.
     ///
     /// # Errors
@@ -168,7 +180,7 @@ impl Scene {
             .map_err(|error| self.error(None, error))
     }
 
-    /// Whether there is a wall at the top.
+    /// Returns true if there is a wall at the top.
     pub(super) fn has_top(&self) -> Result<bool, SceneError> {
         Ok(self.one_of_known(&key::WALLS, &["both", "bottom"])? == "both")
     }

@@ -229,7 +229,7 @@ impl<E: Endpoint, W: Waves<Interval<E>>> Flight<E, W> {
         } else {
             (-there.push.clone()).high()
         });
-        let slope = above(&there.waves.fall().magnitude());
+        let slope = above(&there.waves.minus_slope().magnitude());
         let mut clear = leap(most);
         while clear > 0.0 {
             let further = STRETCH * clear;
@@ -304,7 +304,7 @@ impl<E: Endpoint, W: Waves<Interval<E>>> Flight<E, W> {
             let waves = self.waves(all);
             // from a push of 0 that falls, or from one below 0 that stays there, the distance only grows
             let lifts = if self.released {
-                waves.fall().is_positive()
+                waves.minus_slope().is_positive()
             } else {
                 (waves.f() + self.g.clone()).is_negative()
             };

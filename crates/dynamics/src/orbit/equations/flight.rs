@@ -50,11 +50,6 @@ impl<T: Analytic> ScaledForcing<T> {
     }
 }
 
-/// Returns f + g at a phase.
-pub(crate) fn push<T: Analytic>(motion: &Motion<T>, phase: &T) -> T {
-    ScaledForcing::new(motion.other_forcing(), phase).f + motion.g().clone()
-}
-
 /// The flight after an impact, by (3) and (4), whether or not it would have ended at a wall before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaunchedFlight<T> {
