@@ -37,7 +37,7 @@ impl<T: Analytic, W: Waves<T>> Scaled<T, W> {
         let pi = T::pi();
         let g = motion.g().clone();
         let drive = W::drive(motion);
-        let bounds = W::bounds(&drive);
+        let bounds = W::bounds(&drive, |value| value.to_f64().abs());
         let mut scaled = Self {
             gap: pi.clone() * pi.clone() * motion.d().clone(),
             has_top: motion.has_top(),

@@ -34,7 +34,8 @@ pub(super) trait Waves<T: Analytic>: Clone + Debug + PartialEq {
     /// The forcing of a motion.
     fn drive(motion: &Motion<T>) -> Self::Drive;
     fn narrow(drive: &Self::Drive) -> <Self::Narrow as Waves<f64>>::Drive;
-    fn bounds(drive: &Self::Drive) -> Bounds;
+    /// Bounds, from the size that a coefficient has at most.
+    fn bounds(drive: &Self::Drive, size: impl Fn(&T) -> f64) -> Bounds;
     /// The changes of sign of f + g, by the phase in [0, 2 pi).
     fn turns(drive: &Self::Drive, g: &T) -> Vec<Turn<T, Self>>;
     /// The forcing at a phase, as seen from the bottom.
@@ -80,7 +81,7 @@ impl<T: Analytic> Waves<T> for Cosine<T> {
 
     fn narrow((): &()) {}
 
-    fn bounds((): &()) -> Bounds {
+    fn bounds((): &(), _: impl Fn(&T) -> f64) -> Bounds {
         Bounds {
             highest: 1.0,
             f: 1.0,
@@ -177,10 +178,10 @@ impl<T: Analytic> Several<T> {
     }
 }
 
-/// A bound of a sum over the harmonics.
-fn bound<T: Analytic>(harmonics: &[Harmonic<T>], power: i32) -> f64 {
+/// A bound of the sum of amplitudes times a power of their orders.
+fn bound<T>(harmonics: &[Harmonic<T>], size: impl Fn(&T) -> f64, power: i32) -> f64 {
     let of = |harmonic: &Harmonic<T>| {
-        let amplitude = harmonic.cosine.to_f64().hypot(harmonic.sine.to_f64());
+        let amplitude = size(&harmonic.cosine).hypot(size(&harmonic.sine));
         amplitude * (harmonic.order as f64).powi(power)
     };
     // for the roundings of the bound itself
@@ -210,14 +211,15 @@ impl<T: Analytic> Waves<T> for Several<T> {
         narrow.collect()
     }
 
-    fn bounds(drive: &Self::Drive) -> Bounds {
+    fn bounds(drive: &Self::Drive, size: impl Fn(&T) -> f64) -> Bounds {
+        let bound = |power| bound(drive, &size, power);
         Bounds {
             highest: drive.iter().map(|harmonic| harmonic.order).max().unwrap_or(1) as f64,
-            f: bound(drive, 0),
-            f1: bound(drive, -1),
-            f2: bound(drive, -2),
-            bend: bound(drive, 2),
-            rounded: bound(drive, 0),
+            f: bound(0),
+            f1: bound(-1),
+            f2: bound(-2),
+            bend: bound(2),
+            rounded: bound(0),
         }
     }
 

@@ -464,3 +464,36 @@ fn a_pressed_ball_without_speed_rests_at_once_even_where_nothing_is_lost() {
         .collect();
     assert_eq!(kinds, [Kind::Impact, Kind::Rest, Kind::Release]);
 }
+
+#[test]
+fn an_enclosure_holds_for_every_forcing_of_wide_intervals() {
+    // the second amplitude is anything in [-1, 1], of middle 0
+    let wide = |value: f64, radius: f64| Interval::new(value - radius, value + radius);
+    let forcing = Forcing::periodic(Interval::point(2.0), &[wide(1.0, 0.0), wide(0.0, 1.0)], &[]).expect("a forcing");
+    let [g, d, r] = [0.1, 0.4, 0.6].map(Interval::point);
+    let motion = Motion::new(g, d, r, r)
+        .and_then(|motion| motion.with_forcing(forcing))
+        .expect("a motion");
+    for velocity in [0.01, 0.05, 0.3, 20.0] {
+        let start = Start::impact(Side::Bottom, 0.0, velocity);
+        let first = Enclosure::new(&motion, &start.convert(|value| Interval::point(*value))).nth(1);
+        let first: Event<Interval<f64>> = first.expect("an event");
+        for part in [-1.0, -0.5, 0.3, 1.0] {
+            let device = Device {
+                g: 0.1,
+                d: Some(0.4),
+                r: [0.6, 0.6],
+                cosines: vec![1.0, part],
+                sines: Vec::new(),
+            };
+            let event = Simulation::new(&device.motion::<f64>(), &start)
+                .nth(1)
+                .expect("an event");
+            let (told, held) = (time(&event), 2.0 * first.turns as f64 + first.phase.low() / PI);
+            match first.kind {
+                Kind::Undecided => assert!(told >= held - 1e-12, "{velocity} {part}: {told} {held}"),
+                _ => assert!((first.kind, first.side) == (event.kind, event.side) && told >= held - 1e-12),
+            }
+        }
+    }
+}

@@ -29,7 +29,7 @@ pub struct LocalChoice {
     /// Their words.
     pub words: Vec<Word>,
     /// A motion under the forcing; its numbers are those of the choice.
-    pub base: Motion<f64>,
+    pub base: Motion<Interval<f64>>,
 }
 
 /// The search for the best device divides by restitutions.
@@ -182,10 +182,10 @@ impl Scene {
 
 impl Scene {
     /// A motion under the forcing of the scene; its numbers are those of the choice.
-    fn local_base(&self) -> Result<Motion<f64>, SceneError> {
-        let half = 0.5;
+    fn local_base(&self) -> Result<Motion<Interval<f64>>, SceneError> {
+        let half = Interval::point(0.5);
         let harmonics = self.harmonics()?.map(|harmonics| harmonics.over_number());
-        let motion = Motion::new(0.0, half, half, half).and_then(|motion| driven(motion, harmonics));
+        let motion = Motion::new(Interval::point(0.0), half, half, half).and_then(|motion| driven(motion, harmonics));
         motion.map_err(|error| self.error(None, error))
     }
 }

@@ -88,7 +88,7 @@ impl<E: Endpoint, W: Waves<Interval<E>>> Flight<E, W> {
                 waves,
             },
             is_free: launch.height.is_some(),
-            bounds: W::bounds(&drive),
+            bounds: W::bounds(&drive, |value| above(&value.magnitude())),
             drive,
             g,
             gap: motion

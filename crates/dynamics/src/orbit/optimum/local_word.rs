@@ -52,7 +52,7 @@ const LEAST_SLACK: f64 = 1e-9;
 /// `NoTop` for a word with T of motions with one wall.
 pub fn local_optimum(
     choice: &Choice,
-    base: &Motion<f64>,
+    base: &Motion<Interval<f64>>,
     word: &Word,
 ) -> Result<Option<ProvedWordDevice>, MotionError> {
     let search = Search {
@@ -87,14 +87,20 @@ pub fn local_optimum(
 
 struct Search<'a> {
     choice: &'a Choice,
-    base: &'a Motion<f64>,
+    base: &'a Motion<Interval<f64>>,
     word: Word,
     devices: Devices<f64>,
 }
 
 impl Search<'_> {
-    /// Returns the motion of a device, over the number of its parameters.
-    fn motion<T: Analytic>(&self, devices: &Devices<T>, [first, second, r_b, r_t]: &[T; 4]) -> Option<Motion<T>> {
+    /// Returns the motion of a device, over the number of its parameters, which the amplitudes of the forcing are
+    /// converted to.
+    fn motion<T: Analytic>(
+        &self,
+        devices: &Devices<T>,
+        [first, second, r_b, r_t]: &[T; 4],
+        convert: impl Fn(&Interval<f64>) -> T,
+    ) -> Option<Motion<T>> {
         let [d, g] = devices.capsule([first, second]);
         let motion = match self.base.has_top() {
             true => Motion::new(g, d, r_b.clone(), r_t.clone()),
@@ -102,10 +108,7 @@ impl Search<'_> {
         };
         match self.base.other_forcing() {
             None => motion.ok(),
-            Some(forcing) => motion
-                .ok()?
-                .with_forcing(forcing.convert(|value| T::from_f64(*value)))
-                .ok(),
+            Some(forcing) => motion.ok()?.with_forcing(forcing.convert(convert)).ok(),
         }
     }
 
@@ -120,7 +123,7 @@ impl Search<'_> {
     /// Those of [`search_word_from`].
     fn at(&self, parameters: [f64; 4], periods: u32) -> Result<Vec<Candidate>, MotionError> {
         let parameters = self.nearest(parameters).map(|side| side.midpoint());
-        let Some(motion) = self.motion(&self.devices, &parameters) else {
+        let Some(motion) = self.motion(&self.devices, &parameters, Interval::midpoint) else {
             return Ok(Vec::new());
         };
         let count = STARTS * self.word.impacts() * periods as usize;
@@ -134,7 +137,7 @@ impl Search<'_> {
     fn near(&self, parameters: [f64; 4], periods: u32, phases: &[f64]) -> Option<Candidate> {
         let parameters = self.nearest(parameters).map(|side| side.midpoint());
         let system = WordEquations {
-            motion: self.motion(&self.devices, &parameters)?,
+            motion: self.motion(&self.devices, &parameters, Interval::midpoint)?,
             word: self.word.clone(),
             periods,
         };
@@ -160,7 +163,7 @@ impl Search<'_> {
     /// Proves that there is this motion and that it is as asked; `None` where that cannot be decided, or is not so.
     fn prove(&self, candidate: &Candidate) -> Option<ProvedWordDevice> {
         let parameters = self.nearest(candidate.parameters);
-        let motion = self.motion(&self.choice.devices, &parameters)?;
+        let motion = self.motion(&self.choice.devices, &parameters, Interval::clone)?;
         let system = WordEquations {
             motion: motion.clone(),
             word: self.word.clone(),
@@ -210,8 +213,12 @@ mod tests {
     use crate::orbit::optimum::search::{OptimumLimits, OptimumPart, optimum};
     use std::f64::consts::PI;
 
+    fn enclosed(base: &Motion<f64>) -> Motion<Interval<f64>> {
+        base.convert(|value| Interval::point(*value)).expect("a motion")
+    }
+
     fn best(choice: &Choice, base: &Motion<f64>, word: &str) -> ProvedWordDevice {
-        let found = local_optimum(choice, base, &word.parse().expect("a word")).expect("a search");
+        let found = local_optimum(choice, &enclosed(base), &word.parse().expect("a word")).expect("a search");
         found.expect("a device")
     }
 
@@ -276,7 +283,7 @@ mod tests {
         let velocity = 2.4 / (1.0 + (1.2 * PI - 1.0) / (1.2 * PI + 1.0));
         let off = found.orbit.velocities[0].midpoint() / velocity - 1.0;
         assert!(off < 1e-9 && off > -1e-3, "{off}");
-        let top = local_optimum(&choice, &base, &Word::pair());
+        let top = local_optimum(&choice, &enclosed(&base), &Word::pair());
         assert_eq!(top.err(), Some(MotionError::NoTop));
     }
 }
