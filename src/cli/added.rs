@@ -34,7 +34,7 @@ pub struct RowToAdd {
     /// Its unit, for readers
     #[arg(long, value_name = "UNIT", requires = "id")]
     unit: Option<String>,
-    /// The expected verdict: reproduced, truncated, off-by-one, rounded, wrong or undetermined (doc/numbers.md explains them)
+    /// The expected verdict: reproduced, truncated, off-by-one, rounded, wrong or undetermined (doc/reference/golden.md explains them)
     #[arg(long, value_name = "VERDICT", requires = "id", default_value = Verdict::Reproduced.name())]
     expected: String,
     /// An assumption that the paper does not state, as 'A = 5 N'

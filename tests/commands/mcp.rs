@@ -303,7 +303,7 @@ fn an_assistant_finds_an_error_repairs_it_and_audits_again() {
     assert_eq!(found["structuredContent"]["formulas"][0]["verdict"], "proved");
     assert_eq!(found["structuredContent"]["as_expected"], true);
     // the guide shows this session
-    let page = include_str!("../../doc/editors.md");
+    let page = include_str!("../../doc/reference/editors.md");
     let own = page.split("```tex\n").nth(1).and_then(|rest| rest.split("```").next());
     let own = own.expect("a document");
     let mended = own.replace("v^2 = g (H - h)", r"v^2 = 2 g \cdot (H - h)");

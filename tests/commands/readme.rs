@@ -7,21 +7,28 @@ use std::path::Path;
 use std::process::Command;
 
 const README: &str = include_str!("../../README.md");
-const GUIDE: [(&str, &str); 13] = [
-    ("first", include_str!("../../doc/first.md")),
-    ("sheets", include_str!("../../doc/sheets.md")),
-    ("numbers", include_str!("../../doc/numbers.md")),
-    ("golden", include_str!("../../doc/golden.md")),
-    ("orbits", include_str!("../../doc/orbits.md")),
-    ("simulation", include_str!("../../doc/simulation.md")),
-    ("restitution", include_str!("../../doc/restitution.md")),
-    ("scenes", include_str!("../../doc/scenes.md")),
-    ("accuracy", include_str!("../../doc/accuracy.md")),
-    ("solvers", include_str!("../../doc/solvers.md")),
-    ("documents", include_str!("../../doc/documents.md")),
-    ("library", include_str!("../../doc/library.md")),
-    ("editors", include_str!("../../doc/editors.md")),
-];
+/// Pages outside of `doc/` whose examples are run like those of the guide.
+const OTHERS: [&str; 1] = ["golden/restitution/README.md"];
+
+/// Returns the path and the text of each page of the guide, and of the others.
+fn guide() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut pages: Vec<String> = OTHERS.map(str::to_owned).to_vec();
+    for folder in ["doc", "doc/reference"] {
+        for entry in std::fs::read_dir(root.join(folder)).expect("the guide") {
+            let name = entry.expect("a file").file_name().into_string().expect("a name");
+            if name.ends_with(".md") {
+                pages.push(format!("{folder}/{name}"));
+            }
+        }
+    }
+    pages.sort();
+    let read = |page: String| {
+        let text = std::fs::read_to_string(root.join(&page)).expect("a page");
+        (page, text)
+    };
+    pages.into_iter().map(read).collect()
+}
 
 /// The language and the text of each block of a page.
 fn blocks(page: &str) -> impl Iterator<Item = (&str, &str)> {
@@ -29,9 +36,12 @@ fn blocks(page: &str) -> impl Iterator<Item = (&str, &str)> {
     fenced.filter_map(|block| block.split_once('\n'))
 }
 
-/// A directory in which the blocks of a page that begin with the name of a file, as `# my-sheet.toml`, are these files.
+/// A directory with `examples/`, in which the blocks of a page that begin with the name of a file, as `# my-sheet.toml`, are
+/// these files.
 fn directory(name: &str, page: &str) -> Scratch {
     let directory = scratch(name);
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    std::os::unix::fs::symlink(examples, directory.join("examples")).expect("a link");
     for (_, text) in blocks(page) {
         let first = text.lines().next().unwrap_or_default();
         let named = first.strip_prefix("# ").or(first.strip_prefix("% "));
@@ -114,9 +124,10 @@ fn the_output_that_readme_and_guide_show_is_what_the_program_prints() {
     let mut seen = 0;
     let known = "vibro-audit check --format csv".to_owned();
     let mut by_command = BTreeMap::from([(known, (Some(0), check::BUILT_IN.1.clone()))]);
-    for (name, page) in std::iter::once(("readme", README)).chain(GUIDE) {
-        let directory = directory(name, page);
-        for (command, output) in blocks(page)
+    let readme = ("readme".to_owned(), README.to_owned());
+    for (name, page) in std::iter::once(readme).chain(guide()) {
+        let directory = directory(&name.replace('/', "-"), &page);
+        for (command, output) in blocks(&page)
             .filter(|(kind, _)| *kind == "text")
             .flat_map(|(_, block)| shown(block))
         {
@@ -134,20 +145,19 @@ fn the_output_that_readme_and_guide_show_is_what_the_program_prints() {
             seen += 1;
         }
     }
-    assert!(seen >= 20, "only {seen} examples are run");
+    assert!(seen >= 50, "only {seen} examples are run");
 }
 
 #[test]
 fn the_guide_lists_each_of_its_pages() {
-    let guide = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("doc");
-    let summary = std::fs::read_to_string(guide.join("SUMMARY.md")).expect("a table of contents");
-    for entry in std::fs::read_dir(&guide).expect("the guide") {
-        let name = entry.expect("a file").file_name().into_string().expect("a name");
-        if name.ends_with(".md") && name != "SUMMARY.md" {
+    let doc = Path::new(env!("CARGO_MANIFEST_DIR")).join("doc");
+    let summary = std::fs::read_to_string(doc.join("SUMMARY.md")).expect("a table of contents");
+    for (page, _) in guide() {
+        if let Some(name) = page.strip_prefix("doc/").filter(|name| *name != "SUMMARY.md") {
             assert!(summary.contains(&format!("]({name})")), "{name} is not listed");
         }
     }
     for link in summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-        assert!(guide.join(link).is_file(), "{link} is not there");
+        assert!(doc.join(link).is_file(), "{link} is not there");
     }
 }

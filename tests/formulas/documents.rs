@@ -1231,7 +1231,7 @@ fn a_document_without_an_end_is_refused() {
 
 #[test]
 fn the_document_of_the_guide_is_proved() {
-    let guide = include_str!("../../doc/documents.md");
+    let guide = include_str!("../../doc/reference/documents.md");
     let (_, rest) = guide.split_once("```tex\n").expect("a document");
     let (text, _) = rest.split_once("```").expect("its end");
     let found = document(text, &[]);

@@ -170,7 +170,7 @@ fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
 /// The examples of the guide: a line `true: TEX; given PREMISE; assume CONDITION` or `false: ...` each.
 #[test]
 fn each_example_of_the_guide_is_decided_as_it_says() {
-    let guide = include_str!("../../doc/operations.md");
+    let guide = include_str!("../../doc/reference/operations.md");
     let examples = guide.lines().filter_map(|line| {
         let truth = line.strip_prefix("true:").map(|rest| (Verdict::Proved, rest));
         truth.or_else(|| line.strip_prefix("false:").map(|rest| (Verdict::Refuted, rest)))

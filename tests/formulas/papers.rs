@@ -1,5 +1,5 @@
 //! Three documents laid out as journals do, and thirty misprints in them (`tests/papers`), both made by somebody who knew of
-//! this program only what the README and doc/truth.md say: no true formula is accused, and each misprint that is found is.
+//! this program only what the README and doc/reference/verdicts.md say: no true formula is accused, and each misprint that is found is.
 
 use crate::common::sample;
 use std::collections::BTreeSet;

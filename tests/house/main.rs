@@ -3,6 +3,7 @@
 //! clippy's to say: each `lib.rs` denies it.
 
 mod golden;
+mod guide;
 mod imports;
 mod named;
 

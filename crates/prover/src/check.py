@@ -2,7 +2,7 @@
 
 It shares no line with the program that wrote the files, and trusts nothing of them but the statement: what is given and
 what is claimed. It needs python-flint (pip install python-flint): its polynomials, and its balls, which enclose numbers
-with a bound of the error. doc/proofs.md of vibro-audit describes the files, the steps and the points. A polynomial has
+with a bound of the error. crates/prover/proof-data.md of vibro-audit describes files, steps and points. A polynomial has
 variables for terms, each of which stands for its own value. A fact is a property of a polynomial; each step of a proof
 adds facts that follow from those before it.
 """

@@ -67,25 +67,25 @@ pub const RESOURCES: [Resource; 4] = [
         uri: "vibro-audit://guide/documents",
         title: "Documents",
         description: "TeX and Markdown documents: which formulas are read, and all keys of `% audit:` comments",
-        text: include_str!("../../../doc/documents.md"),
+        text: include_str!("../../../doc/reference/documents.md"),
     },
     Resource {
         uri: "vibro-audit://guide/sheets",
         title: "Sheets of formulas",
         description: "Sheets in TOML: symbols, premises, claims",
-        text: include_str!("../../../doc/sheets.md"),
+        text: include_str!("../../../doc/reference/sheets.md"),
     },
     Resource {
         uri: "vibro-audit://guide/truth",
         title: "What the verdicts mean",
-        description: "The promise of each verdict, and what is trusted",
-        text: include_str!("../../../doc/truth.md"),
+        description: "The promise of each verdict, when a claim is true, and how notation is read",
+        text: include_str!("../../../doc/reference/verdicts.md"),
     },
     Resource {
         uri: "vibro-audit://guide/scenes",
         title: "Scenes",
         description: "Scenes in TOML: the motions of a vibro-impact device",
-        text: include_str!("../../../doc/scenes.md"),
+        text: include_str!("../../../doc/reference/scenes.md"),
     },
 ];
 
