@@ -107,11 +107,16 @@ fn target(page: &str, link: &str) -> PathBuf {
     found
 }
 
-/// Returns a complaint for each line or sentence that is too long, and for each relative link that leads nowhere.
+/// Returns a complaint for a page that starts without an example, for each line or sentence that is too long, and for each
+/// relative link that leads nowhere.
 fn complaints(page: &File, read: &dyn Fn(&Path) -> Option<String>) -> Vec<String> {
     let lines = prose(&page.text);
     let mut found = Vec::new();
     if !GENERATED.contains(&page.path.as_str()) {
+        let start = page.text.split("\n## ").next().unwrap_or_default();
+        if !start.contains("\n```") {
+            found.push(format!("{}: no example at its start", page.path));
+        }
         let long = lines
             .iter()
             .filter(|line| !line.starts_with('|') && line.chars().count() > LONGEST_LINE);
@@ -163,18 +168,18 @@ fn pages() -> Vec<File> {
 fn a_page_that_breaks_a_rule_is_found() {
     let long = "word ".repeat(31);
     let text = format!(
-        "# A page\n{}\n\n{long}\n\n[a](b.md) [c](#a-page) [d](#e) [f](https://g.h)\n```text\n{}\n```\n",
+        "# A page\n{}\n\n## A part\n{long}\n\n[a](b.md) [c](#a-page) [d](#e) [f](https://g.h)\n```text\n{}\n```\n",
         "x".repeat(121),
         "y".repeat(121)
     );
     let page = File::new("doc/a.md", &text);
     let own = text.clone();
     let found = complaints(&page, &move |path| (path == Path::new("doc/a.md")).then(|| own.clone()));
-    let kinds: Vec<&str> = ["long line", "long sentence", "`b.md` leads", "`#e` leads"]
+    let kinds: Vec<&str> = ["no example", "long line", "long sentence", "`b.md` leads", "`#e` leads"]
         .into_iter()
         .filter(|kind| found.iter().any(|complaint| complaint.contains(kind)))
         .collect();
-    assert_eq!((kinds.len(), found.len()), (4, 5), "{found:?}");
+    assert_eq!((kinds.len(), found.len()), (5, 6), "{found:?}");
     assert_eq!(
         count(&File::new(
             "doc/a.md",
