@@ -63,13 +63,13 @@ fn assert_says(name: &str, texts: &[String], wanted: &[&str]) {
 }
 
 const ENERGY: [&str; 8] = [
-    "Impact velocity",
-    "Output voltage",
+    "Velocity of the impacts",
+    "Voltage of the impacts",
     "gap d",
     "velocity before impact",
     "output voltage  [kV]",
-    "simulated, bottom",
-    "simulated, top",
+    "simulated impacts, bottom",
+    "simulated impacts, top",
     "mean voltage",
 ];
 
@@ -97,19 +97,19 @@ fn every_figure_of_the_paper_is_drawn_with_all_its_labels_the_same_on_any_number
         let wanted: &[&str] = match number {
             2..=10 => &ENERGY,
             11 => &[
-                "Impact velocity",
+                "Velocity of the impacts",
                 "Phase of the impacts",
                 "\u{3c6}",
                 "1.21387",
                 "0.922985",
-                "printed: wrong",
+                "printed value: wrong",
             ],
             12 | 13 => &[
                 "Phase portrait",
                 "walls",
-                "Capsule and ball",
+                "Motion of capsule and ball",
                 "ball",
-                "time  [\u{3c0}/\u{3c9}]",
+                "time t  [\u{3c0}/\u{3c9}]",
             ],
             _ => &["mean output voltage  [kV]", "Fig. 2:", "Fig. 10:"],
         };
@@ -122,15 +122,16 @@ fn every_figure_of_the_paper_is_drawn_with_all_its_labels_the_same_on_any_number
 fn bifurcations_and_printed_points_are_marked_right_and_wrong_apart() {
     let texts = texts("fig03", &plotted(&["fig03", "--set", "sweep.points=81"]));
     let wanted = [
-        "BT stable",
-        "BT unstable",
-        "BT not possible: through a wall (grey)",
+        "orbit BT, stable",
+        "orbit BT, unstable",
+        "orbit BT, unphysical (through a wall)",
+        "period doubling of an unphysical orbit",
         "grazing",
         "period doubling",
         "fold",
-        "printed: reproduced",
-        "printed: rounded",
-        "printed: wrong",
+        "printed value: reproduced",
+        "printed value: rounded",
+        "printed value: wrong",
         "printed bifurcation: wrong",
         "0.701752",
         "\u{2212}0.555468",
@@ -153,7 +154,7 @@ fn only_what_is_wanted_is_drawn_and_the_file_is_what_stdout_has() {
     let arguments = ["fig02", "--set", "want=['branch']", "--set", "sweep.points=21"];
     let svg = plotted(&arguments);
     let texts = texts("branch alone", &svg);
-    assert_says("branch alone", &texts, &["BT stable", "Phase of the impacts"]);
+    assert_says("branch alone", &texts, &["orbit BT, stable", "Phase of the impacts"]);
     assert!(
         texts
             .iter()
@@ -180,20 +181,29 @@ fn any_parameter_may_be_swept_and_any_word_followed() {
     assert_says(
         "r_t",
         &texts("r_t", &svg),
-        &["restitution of the top, r_T", "BT stable", "BTT stable"],
+        &["restitution of the top, r_T", "orbit BT, stable", "orbit BTT, stable"],
     );
 }
+
+/// The heading of a map of words.
+const CYCLES: &str = "Impacts of a cycle (B bottom, T top, * rest)";
 
 #[test]
 fn curves_over_two_parameters_are_drawn_over_their_map_and_alone() {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/curves.toml");
     let small = ["--set", "map.x.points=4", "--set", "map.y.points=3"];
-    let curves = ["period doubling", "fold", "grazing", "fold, through a wall", "cusp"];
+    let curves = [
+        "period doubling",
+        "fold",
+        "grazing",
+        "fold of an unphysical motion",
+        "cusp",
+    ];
     let over = texts("over a map", &plotted(&[&[scene], &small[..]].concat()));
-    assert_says("over a map", &over, &[&curves[..], &["word", "BT"]].concat());
+    assert_says("over a map", &over, &[&curves[..], &[CYCLES, "BT"]].concat());
     let alone = texts("alone", &plotted(&[scene, "--set", "want=['branch']"]));
     assert_says("alone", &alone, &curves);
-    assert!(!alone.iter().any(|text| text == "word"), "{alone:?}");
+    assert!(!alone.iter().any(|text| text == CYCLES), "{alone:?}");
     assert_refused(
         &[scene, "--set", "branch.y.over=d", "--set", "motion.r_b=0.5"],
         &["branch.y.over", "another parameter than d"],
@@ -203,6 +213,52 @@ fn curves_over_two_parameters_are_drawn_over_their_map_and_alone() {
         &["branch.y.to", "other than branch.y.from"],
     );
     assert_refused(&[scene, "--set", "branch.y.to=1.2"], &["branch.y.to", "from 0 to 1"]);
+}
+
+#[test]
+fn the_attractors_are_marked_in_their_basins_over_multiples_of_pi() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/basins.toml");
+    let small = ["--set", "basins.phase.points=4", "--set", "basins.velocity.points=3"];
+    let svg = plotted(&[&[scene], &small[..]].concat());
+    let texts = texts("basins", &svg);
+    let wanted = [
+        "Attractor reached (B bottom, T top, * rest)",
+        "bottom impacts of each attractor",
+        "1",
+        "2",
+        "3\u{3c0}/2",
+        "phase of the first impact, \u{3c6}  [rad]",
+    ];
+    assert!(
+        wanted.iter().all(|wanted| texts.iter().any(|text| text == wanted)),
+        "{texts:?}"
+    );
+    // no file name stands above a scene without a title
+    assert!(!texts.iter().any(|text| text.contains("basins")), "{texts:?}");
+    assert!(
+        svg.contains("shape-rendering=\"crispEdges\"") && svg.contains("<tspan font-style=\"italic\">\u{3c6}</tspan>")
+    );
+}
+
+#[test]
+fn numbers_on_a_map_have_a_bar_of_colours_with_round_ticks() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/map.toml");
+    let sets = ["map.x.points=5", "map.y.points=4", "map.want=['lyapunov']"];
+    let sets = sets.iter().flat_map(|set| ["--set", set]);
+    let texts = texts(
+        "lyapunov",
+        &plotted(&[scene].into_iter().chain(sets).collect::<Vec<_>>()),
+    );
+    let wanted = [
+        "Lyapunov exponent",
+        "Lyapunov exponent  [\u{3c9}/\u{3c0}]",
+        "0.0",
+        "infinite",
+    ];
+    assert!(
+        wanted.iter().all(|wanted| texts.iter().any(|text| text == wanted)),
+        "{texts:?}"
+    );
 }
 
 #[test]
@@ -224,17 +280,17 @@ fn the_scenes_of_the_examples_are_drawn() {
 #[test]
 fn the_best_device_of_a_box_is_drawn_among_the_others() {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/optimum.toml");
-    let frame = "where the best device is";
+    let frame = "region proved to hold the best device";
     let several = texts("three parameters", &plotted(&[scene]));
     assert_says(
         "three parameters",
         &several,
         &[
             "The best device of a box",
-            ": 0.24",
-            "d: 0.6000",
+            "Devices with r_T = 0.24",
+            "Devices with d = 0.6000",
             "no stable motion",
-            "best device, 143907 V",
+            "best device, 143.907 kV",
         ],
     );
     // the best one is known to less than a ring
@@ -247,7 +303,7 @@ fn the_best_device_of_a_box_is_drawn_among_the_others() {
     assert_says(
         "one parameter",
         &one,
-        &["voltage per forcing period  [kV]", "best device, 138335 V"],
+        &["voltage per forcing period  [kV]", "best device, 138.335 kV"],
     );
     let none = fig03("nothing", "box={d = [0.21, 0.23], r_b = [0.6, 0.6001]}");
     assert_says("nothing", &none, &["no stable motion"]);

@@ -165,7 +165,7 @@ fn a_curve_is_printed_with_its_distances_and_drawn() {
     assert_eq!(lines.clone().count(), 27 * 2 * 4 * 2);
     assert!(lines.all(|line| line.starts_with("Delta to 0,") && line.contains("Tr=")));
     let svg = scratch.read("delta.svg");
-    for words in ["f64 printed", "f64 stable", "f64 allowed", "\u{394} to 0"] {
+    for words in ["f64 printed", "f64 stable", "f64 allowed", "\u{394}</tspan> to 0"] {
         assert!(svg.contains(words), "{words}");
     }
     // a reader at a terminal has the rows of f64 alone

@@ -1,8 +1,8 @@
 //! The map and the basins of a scene as figures.
 
 use super::super::{Failure, note};
-use crate::report::figure::{HeatMap, Layer, Parameter};
-use crate::report::plot::Panel;
+use crate::report::figure::{HeatMap, Layer, Parameter, UNDECIDED};
+use crate::report::plot::{Mark, Panel, Ticks};
 use crate::scene::{MapWant, Means, ReachedAttractors, Scene, Spaced};
 
 /// Points that are drawn, at most: more are not told apart.
@@ -33,16 +33,16 @@ pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Failure> {
     }
     let layer = |want: &MapWant| match want {
         MapWant::Word => Layer::Words {
-            name: "word".to_owned(),
+            name: "impacts of a cycle (B bottom, T top, * rest)".to_owned(),
             words: words.clone(),
         },
-        MapWant::MeanVoltage => values(&means, "mean voltage of an impact", "V", |means| {
-            means.voltage.map(|found| found.value)
+        MapWant::MeanVoltage => values(&means, "mean voltage of an impact", "kV", |means| {
+            means.voltage.map(|found| found.value / 1000.0)
         }),
-        MapWant::VoltageRate => values(&means, "voltage per forcing period", "V per period", |means| {
-            means.rate.map(|found| found.value)
+        MapWant::VoltageRate => values(&means, "voltage per forcing period", "kV", |means| {
+            means.rate.map(|found| found.value / 1000.0)
         }),
-        MapWant::Lyapunov => values(&means, "Lyapunov exponent", "per unit of time", |means| {
+        MapWant::Lyapunov => values(&means, "Lyapunov exponent", "$\u{3c9}/\u{3c0}$", |means| {
             means.lyapunov.map(|found| found.value)
         }),
     };
@@ -55,6 +55,7 @@ pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Failure> {
         y: parameter(&map.y),
         points: [map.x.points as usize, map.y.points as usize],
         layers: map.wants.iter().map(layer).collect(),
+        marks: (String::new(), Vec::new()),
     };
     Ok(heat_map.panels())
 }
@@ -68,7 +69,7 @@ pub(super) fn basins(scene: &Scene) -> Result<Vec<Panel>, Failure> {
     let mut words = Vec::new();
     for point in points {
         words.push(match point?.attractor {
-            None => "not decided".to_owned(),
+            None => UNDECIDED.to_owned(),
             Some(found) => match (&found.word, all.add(found.clone()) + 1) {
                 (Some(word), number) => format!("{number}: {word}"),
                 (None, _) => String::new(),
@@ -80,15 +81,35 @@ pub(super) fn basins(scene: &Scene) -> Result<Vec<Panel>, Failure> {
         Parameter::new(name, (from, to))
     };
     let heat_map = HeatMap {
-        x: parameter("phase of the first impact, rad", &grid.phase),
-        y: parameter("velocity before the first impact", &grid.velocity),
+        x: Parameter {
+            ticks: Ticks::Pi,
+            ..parameter("phase of the first impact, $\u{3c6}$  [rad]", &grid.phase)
+        },
+        y: parameter("impact velocity, $\u{17b}$  [$A\u{3c0}/(M\u{3c9})$]", &grid.velocity),
         points: [grid.phase.points as usize, grid.velocity.points as usize],
         layers: vec![Layer::Words {
-            name: "attractor".to_owned(),
+            name: "attractor reached (B bottom, T top, * rest)".to_owned(),
             words,
         }],
+        marks: ("bottom impacts of each attractor".to_owned(), marks(&all)),
     };
     Ok(heat_map.panels())
+}
+
+/// The bottom impacts of each attractor that is a cycle, with its number.
+fn marks(all: &ReachedAttractors) -> Vec<Mark> {
+    let numbered = all.list.iter().zip(1..);
+    let impacts = numbered.flat_map(|(found, number): (_, u32)| {
+        let impacts = found.phases.iter().copied().zip(found.velocities.iter().copied());
+        impacts.map(move |at| (at, number))
+    });
+    impacts
+        .filter(|((_, velocity), _)| *velocity > 0.0)
+        .map(|(at, number)| Mark {
+            at,
+            label: number.to_string(),
+        })
+        .collect()
 }
 
 fn values(means: &[Option<Means>], name: &str, unit: &str, of: fn(&Means) -> Option<f64>) -> Layer {

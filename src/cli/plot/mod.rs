@@ -170,7 +170,7 @@ fn one(scene: &Scene, swept: Option<&swept::Swept>, claims: &Claims) -> Result<F
     if panels.is_empty() {
         return Err(Failure::NothingDrawn(scene.name().to_owned()));
     }
-    let title = scene.title()?.unwrap_or(scene.name());
+    let title = scene.title()?.unwrap_or_default();
     Ok(Figure {
         columns: 2,
         ..Figure::new(title, panels)

@@ -32,7 +32,7 @@ pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Failure> {
     };
     let drawn: Vec<Slice> = drawn.iter().map(|own| slice(&asked, &found, &free, own)).collect();
     let name = match &found.device {
-        Some(device) => format!("best device, {:.0} V", device.rate.midpoint()),
+        Some(device) => format!("best device, {:.3} kV", device.rate.midpoint() / 1000.0),
         None => "best device".to_owned(),
     };
     Ok(slices(&drawn, &name))
@@ -73,13 +73,27 @@ fn slice(asked: &BoxChoice, found: &Optimum, free: &[usize], own: &[usize]) -> S
     };
     let held = free.iter().filter(|i| !own.contains(i));
     let held: Vec<String> = held
-        .map(|&i| format!("{}: {:.4}", asked.parameters[i], base[i]))
+        .map(|&i| format!("{} = {:.4}", symbol(asked.parameters[i].name()), base[i]))
         .collect();
     Slice {
         parameters: own.iter().map(parameter).collect(),
         points: POINTS,
         values: values.collect(),
-        heading: held.join(", "),
+        heading: match held.join(", ") {
+            held if held.is_empty() => String::new(),
+            held => format!("Devices with {held}"),
+        },
+    }
+}
+
+/// The symbol of a parameter of a box.
+fn symbol(name: &str) -> &str {
+    match name {
+        "r_b" => "r_B",
+        "r_t" => "r_T",
+        "incline" => "beta",
+        "forcing_amplitude" => "A",
+        other => other,
     }
 }
 

@@ -50,7 +50,7 @@ pub(super) fn series(steps: &[Step], bifurcations: &[Bifurcation], quantity: Qua
                 dash: course.dash(),
                 width: WIDTH,
             };
-            series.push(Series::line(format!("{name} {}", course.name()), points, stroke));
+            series.push(Series::line(format!("orbit {name}, {}", course.name()), points, stroke));
         }
     }
     series.extend(marks(bifurcations, quantity));
@@ -81,7 +81,7 @@ fn run(strand: &[&Step], course: Course, value: impl Fn(&Step) -> f64) -> Vec<Po
     points
 }
 
-/// A marker for each kind; grey, as its line, where the motion would pass through a wall.
+/// A marker for each kind; hollow and grey, as its line, where the motion would pass through a wall.
 fn marks(bifurcations: &[Bifurcation], quantity: Quantity) -> Vec<Series> {
     let kinds = [
         (BifurcationKind::PeriodDoubling, "period doubling", Form::Diamond),
@@ -112,13 +112,15 @@ fn marks(bifurcations: &[Bifurcation], quantity: Quantity) -> Vec<Series> {
             if marks.is_empty() {
                 continue;
             }
-            let colour = if admissible { Colour::Purple } else { Colour::Grey };
             let size = 7.0;
-            let marker = Marker {
-                size,
-                ..Marker::filled(colour, form)
+            let (name, marker) = match admissible {
+                true => (name.to_owned(), Marker::filled(Colour::Purple, form)),
+                false => (
+                    format!("{name} of an unphysical orbit"),
+                    Marker::open(Colour::Grey, form),
+                ),
             };
-            series.push(Series::marks(name, marks, marker));
+            series.push(Series::marks(name, marks, Marker { size, ..marker }));
         }
     }
     series
@@ -149,7 +151,7 @@ mod tests {
             .collect();
         let found = series(&steps, &[], Quantity::Velocity);
         let names: Vec<&str> = found.iter().map(|series| series.name.as_str()).collect();
-        assert_eq!(names, ["BT unstable", "BT stable"]);
+        assert_eq!(names, ["orbit BT, unstable", "orbit BT, stable"]);
         let ends = |series: &Series| match &series.shape {
             Shape::Line { points, .. } => points
                 .iter()

@@ -49,7 +49,7 @@ pub(super) fn series(claims: &[Claim]) -> Vec<Series> {
             let what = if at_bifurcation {
                 "printed bifurcation"
             } else {
-                "printed"
+                "printed value"
             };
             series.push(Series::marks(
                 format!("{what}: {verdict}"),
@@ -95,7 +95,7 @@ mod tests {
             claim(Verdict::Reproduced, None),
         ]);
         let names: Vec<&str> = found.iter().map(|series| series.name.as_str()).collect();
-        assert_eq!(names, ["printed: reproduced", "printed bifurcation: wrong"]);
+        assert_eq!(names, ["printed value: reproduced", "printed bifurcation: wrong"]);
         let looks: Vec<(Form, String)> = found
             .iter()
             .filter_map(|series| match &series.shape {

@@ -44,7 +44,7 @@ const POINTS: [(SpecialPoint, &str, Form); 6] = [
     // there are the points of the other curve, too
     (SpecialPoint::Grazing, "grazing meets another curve", Form::Circle),
     (SpecialPoint::DoubleGrazing, "double grazing", Form::Square),
-    (SpecialPoint::DegenerateGrazing, "grazing with f + g = 0", Form::Cross),
+    (SpecialPoint::DegenerateGrazing, "grazing with $f + g = 0$", Form::Cross),
 ];
 
 const WIDTH: f64 = 1.6;
@@ -54,6 +54,7 @@ impl BifurcationCurves {
     /// A panel of them alone.
     pub fn panel(&self) -> Panel {
         let mut panel = Panel::new(self.x.axis(), self.y.axis());
+        panel.heading = "Curves on which motions bifurcate".to_owned();
         panel.series = self.series();
         panel
     }
@@ -71,7 +72,7 @@ impl BifurcationCurves {
                 let name = if admissible {
                     name.to_owned()
                 } else {
-                    format!("{name}, through a wall")
+                    format!("{name} of an unphysical motion (through a wall)")
                 };
                 // over cells of any colour a line is seen by its white edges
                 let stroke = |colour, dash, width| Stroke { colour, dash, width };
@@ -92,7 +93,17 @@ impl BifurcationCurves {
                 })
                 .collect();
             if !marks.is_empty() {
-                series.push(Series::marks(name, marks, Marker::open(Colour::Purple, form)));
+                // seen over cells of any colour
+                let [inside, edge] = [Marker::filled(Colour::White, form), Marker::open(Colour::Black, form)];
+                series.push(Series::marks(
+                    "",
+                    marks.clone(),
+                    Marker {
+                        size: edge.size,
+                        ..inside
+                    },
+                ));
+                series.push(Series::marks(name, marks, edge));
             }
         }
         series
@@ -144,7 +155,7 @@ mod tests {
         let series = drawn.series();
         let series: Vec<Series> = series.into_iter().filter(|series| !series.name.is_empty()).collect();
         let names: Vec<&str> = series.iter().map(|series| series.name.as_str()).collect();
-        assert_eq!(names, ["fold", "fold, through a wall", "cusp"]);
+        assert_eq!(names, ["fold", "fold of an unphysical motion (through a wall)", "cusp"]);
         let xs = |series: &Series| match &series.shape {
             Shape::Line { points, .. } => points.iter().map(|point| point.0).filter(|x| x.is_finite()).collect(),
             _ => Vec::new(),

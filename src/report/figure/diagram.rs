@@ -57,8 +57,10 @@ impl Diagram {
             };
             panel
                 .series
-                .push(Series::dots("simulated, bottom", points(true), BOTTOM));
-            panel.series.push(Series::dots("simulated, top", points(false), TOP));
+                .push(Series::dots("simulated impacts, bottom", points(true), BOTTOM));
+            panel
+                .series
+                .push(Series::dots("simulated impacts, top", points(false), TOP));
         }
         let steps = self.steps.as_deref().unwrap_or_default();
         panel.series.extend(branch::series(steps, &self.bifurcations, quantity));

@@ -6,10 +6,10 @@ use crate::report::plot::{Axis, Colour, Dash, Marker, Panel, Point, Series, Stro
 /// The ends of a capsule `gap` long, the ball, and where the ball is at each impact (time and place).
 pub fn displacement(path: &Path, gap: f64, impacts: &[Point]) -> Panel {
     let mut panel = Panel::new(
-        Axis::new("time  [\u{3c0}/\u{3c9}]"),
-        Axis::new("displacement  [A\u{3c0}\u{b2}/(M\u{3c9}\u{b2})]"),
+        Axis::new("time $t$  [$\u{3c0}/\u{3c9}$]"),
+        Axis::new("displacement  [$A\u{3c0}\u{b2}/(M\u{3c9}\u{b2})$]"),
     );
-    panel.heading = "Capsule and ball".to_owned();
+    panel.heading = "Motion of capsule and ball".to_owned();
     let over_time = |values: &[f64], off: f64| -> Vec<Point> {
         let values = values.iter().map(|value| value + off);
         path.times.iter().copied().zip(values).collect()

@@ -64,15 +64,15 @@ impl Energy {
     /// The panel, with what is printed of it, also in volts.
     pub fn panel(&self, claims: &[Claim]) -> Panel {
         let mut panel = Panel::new(self.parameter.axis(), Axis::new(LABEL));
-        panel.heading = "Output voltage".to_owned();
+        panel.heading = "Voltage of the impacts".to_owned();
         let mean = Stroke {
             colour: Colour::Black,
             dash: Dash::Solid,
             width: 2.0,
         };
         panel.series = vec![
-            Series::dots("simulated, bottom", in_thousands(&self.bottom), BOTTOM),
-            Series::dots("simulated, top", in_thousands(&self.top), TOP),
+            Series::dots("simulated impacts, bottom", in_thousands(&self.bottom), BOTTOM),
+            Series::dots("simulated impacts, top", in_thousands(&self.top), TOP),
             Series::line("mean voltage", parted(&in_thousands(&self.mean)), mean),
             Series::dots("", alone(&in_thousands(&self.mean)), Marker::dot(mean.colour, ALONE)),
         ];

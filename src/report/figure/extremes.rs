@@ -1,7 +1,7 @@
 //! Digits left over the distance to an extreme: a panel for each extreme, a line for each number and form.
 
 use crate::accuracy::stress::{Approach, CurveRow, Form};
-use crate::report::plot::{Axis, Colour, Dash, Figure, Panel, Point, Series, Stroke};
+use crate::report::plot::{Axis, Colour, Dash, Figure, Panel, Point, Series, Stroke, Ticks};
 
 /// Panels side by side.
 const COLUMNS: usize = 3;
@@ -37,10 +37,13 @@ pub fn extremes(rows: &[CurveRow]) -> Figure {
 }
 
 fn panel(approach: &Approach, rows: &[&CurveRow]) -> Panel {
-    let sign = if approach.grows() { "" } else { "-" };
+    let ticks = match approach.grows() {
+        true => Ticks::Powers,
+        false => Ticks::FallingPowers,
+    };
     let mut panel = Panel::new(
-        Axis::new(format!("{sign}log\u{2081}\u{2080} of {}", approach.distance)),
-        Axis::new("digits"),
+        Axis::new(approach.distance).with_ticks(ticks),
+        Axis::new("correct digits"),
     );
     let mut formulas: Vec<&str> = rows.iter().map(|row| row.row.formula.as_str()).collect();
     formulas.dedup();
@@ -100,12 +103,7 @@ mod tests {
         assert_eq!(panel.heading, "late time: f");
         assert_eq!(panel.series.len(), 4 * 2 + 1);
         let svg = figure.svg().expect("a figure");
-        for text in [
-            "double-double printed",
-            "f64 stable",
-            "f64 allowed",
-            "log\u{2081}\u{2080} of t",
-        ] {
+        for text in ["double-double printed", "f64 stable", "f64 allowed", ">5</tspan>"] {
             assert!(svg.contains(text), "{text}");
         }
     }

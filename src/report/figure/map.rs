@@ -1,7 +1,7 @@
 //! What each point of two parameters comes to, in colours.
 
 use super::parameter::Parameter;
-use crate::report::plot::{Axis, Colour, Panel, Point, Series, Shape};
+use crate::report::plot::{Axis, Colour, ColourBar, Form, Mark, Marker, Panel, Point, Series, Shape, round_edges};
 use std::collections::HashMap;
 
 /// A grid of two parameters with what was found at each of its points.
@@ -13,6 +13,8 @@ pub struct HeatMap {
     pub points: [usize; 2],
     /// A panel for each.
     pub layers: Vec<Layer>,
+    /// Points with a label, on top of each layer, and what they are.
+    pub marks: (String, Vec<Mark>),
 }
 
 /// One thing that was found at each point, row by row along x.
@@ -23,10 +25,10 @@ pub enum Layer {
         name: String,
         unit: String,
         values: Vec<f64>,
-        /// The least and the largest value of the colours; of the values themselves where nothing is said.
+        /// The least and the largest value that has a colour; of the values themselves where nothing is said.
         ends: Option<(f64, f64)>,
     },
-    /// A word; empty where there is none.
+    /// A word; empty where there is none, [`UNDECIDED`] where it is not known.
     Words { name: String, words: Vec<String> },
 }
 
@@ -35,7 +37,8 @@ const MOST_WORDS: usize = Colour::LINES.len() - 1;
 
 /// What stands for what does not repeat, and for all words without a colour.
 const NO_WORD: &str = "does not repeat";
-const OTHERS: &str = "other words";
+const OTHERS: &str = "other motions";
+pub const UNDECIDED: &str = "not decided";
 
 impl HeatMap {
     /// A panel for each layer.
@@ -47,7 +50,8 @@ impl HeatMap {
     pub(super) fn panel(&self, layer: &Layer) -> Panel {
         let axis = |parameter: &Parameter, count| {
             let ends = [0, count].map(|at| edge(parameter, count, at));
-            Axis::over(parameter.label.clone(), (ends[0].min(ends[1]), ends[0].max(ends[1])))
+            let ends = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+            Axis::over(parameter.label.clone(), ends).with_ticks(parameter.ticks)
         };
         let [columns, rows] = self.points;
         let mut panel = Panel::new(axis(&self.x, columns), axis(&self.y, rows));
@@ -58,22 +62,23 @@ impl HeatMap {
                 values,
                 ends,
             } => {
-                let scale = match ends {
-                    Some((low, high)) => Scale::of(&[*low, *high]),
-                    None => Scale::of(values),
+                let edges = match ends {
+                    Some((low, high)) => round_edges(&[*low, *high]),
+                    None => round_edges(values),
                 };
-                let colours = scale.edges.iter().skip(1).zip(0..).map(|(_, step)| Colour::Level(step));
-                panel.series.push(Series {
-                    name: scale.told(name, unit),
-                    shape: Shape::Scale {
-                        colours: colours.collect(),
-                    },
-                });
-                (name, scale.classes(values))
+                if let [first, .., last] = edges.as_slice() {
+                    let steps = edges.len() - 1;
+                    panel.bar = Some(ColourBar {
+                        label: format!("{name}  [{unit}]"),
+                        ends: (*first, *last),
+                        colours: (0..steps).map(|step| Colour::level(step, steps)).collect(),
+                    });
+                }
+                (name, by_step(&edges, values))
             }
             Layer::Words { name, words } => (name, by_word(words)),
         };
-        panel.heading.clone_from(name);
+        panel.heading = capitalised(name);
         panel.series.extend(classes.into_iter().map(|(name, colour, is_in)| {
             let corners = self.cells(&is_in);
             Series {
@@ -81,6 +86,21 @@ impl HeatMap {
                 shape: Shape::Cells { corners, colour },
             }
         }));
+        let (name, marks) = &self.marks;
+        if !marks.is_empty() {
+            let size = 11.0;
+            let [inside, edge] = [
+                Marker::filled(Colour::White, Form::Circle),
+                Marker::open(Colour::Black, Form::Circle),
+            ];
+            let without_labels = marks.iter().map(|mark| Mark {
+                label: String::new(),
+                ..mark.clone()
+            });
+            let inner = Series::marks("", without_labels.collect(), Marker { size, ..inside });
+            let outer = Series::marks(name.clone(), marks.clone(), Marker { size, ..edge });
+            panel.series.extend([inner, outer]);
+        }
         panel
     }
 
@@ -124,92 +144,38 @@ fn edge(parameter: &Parameter, count: usize, at: usize) -> f64 {
 /// A class of points: its name, its colour, and which they are.
 type Class = (String, Colour, Vec<bool>);
 
-/// The steps of a scale of colours.
-struct Scale {
-    /// Where they begin and end: one edge more than steps; none where there is no value.
-    edges: Vec<f64>,
-    /// How many of the steps lie below 0, where some do and some do not.
-    below_zero: usize,
+/// The points within each step between two edges; what is infinite is grey.
+fn by_step(edges: &[f64], values: &[f64]) -> Vec<Class> {
+    let steps = edges.len().saturating_sub(1);
+    let step = |value: f64| {
+        let above = edges.iter().skip(1).filter(|edge| **edge <= value).count();
+        above.min(steps.saturating_sub(1))
+    };
+    let mut classes: Vec<Class> = (0..steps)
+        .map(|number| {
+            let is_in = |value: &f64| value.is_finite() && step(*value) == number;
+            let is_in = values.iter().map(is_in).collect();
+            (String::new(), Colour::level(number, steps), is_in)
+        })
+        .collect();
+    let infinite: Vec<bool> = values.iter().map(|value| value.is_infinite()).collect();
+    if infinite.contains(&true) {
+        classes.push(("infinite".to_owned(), Colour::Grey, infinite));
+    }
+    classes
 }
 
-impl Scale {
-    /// Equal steps from the least to the largest value; where 0 lies between, it is an edge, and equal steps lie on its sides.
-    fn of(values: &[f64]) -> Self {
-        let finite = || values.iter().copied().filter(|value| value.is_finite());
-        let (low, high) = (
-            finite().fold(f64::INFINITY, f64::min),
-            finite().fold(f64::NEG_INFINITY, f64::max),
-        );
-        let levels = usize::from(Colour::LEVELS);
-        let between = |from: f64, to: f64, steps: usize| {
-            (0..steps).map(move |step| from + (to - from) * step as f64 / steps as f64)
-        };
-        let below_zero = match low < 0.0 && 0.0 < high {
-            true => ((levels as f64 * low / (low - high)).round() as usize).clamp(1, levels - 1),
-            false => 0,
-        };
-        let edges: Vec<f64> = match (low.partial_cmp(&high), below_zero) {
-            (Some(std::cmp::Ordering::Less), 0) => between(low, high, levels).chain([high]).collect(),
-            (Some(std::cmp::Ordering::Less), _) => between(low, 0.0, below_zero)
-                .chain(between(0.0, high, levels - below_zero))
-                .chain([high])
-                .collect(),
-            (Some(std::cmp::Ordering::Equal), _) => vec![low, high],
-            _ => Vec::new(),
-        };
-        Self { edges, below_zero }
-    }
-
-    /// What the legend says.
-    fn told(&self, name: &str, unit: &str) -> String {
-        let (Some(low), Some(high)) = (self.edges.first(), self.edges.last()) else {
-            return name.to_owned();
-        };
-        let (low, high, steps) = (shown(*low), shown(*high), self.edges.len() - 1);
-        match self.below_zero {
-            0 => format!("{name}: {low} to {high} {unit} in {steps} steps"),
-            below => format!(
-                "{name}: {low} to 0 {unit} in {below} steps, 0 to {high} in {}",
-                steps - below
-            ),
-        }
-    }
-
-    /// The points within each step; what is infinite is grey.
-    fn classes(&self, values: &[f64]) -> Vec<Class> {
-        let step = |value: f64| {
-            let above = self.edges.iter().skip(1).filter(|edge| **edge <= value).count();
-            above.min(self.edges.len().saturating_sub(2))
-        };
-        let steps = 0..self.edges.len().saturating_sub(1);
-        let mut classes: Vec<Class> = steps
-            .map(|number| {
-                let is_in = |value: &f64| value.is_finite() && step(*value) == number;
-                (
-                    String::new(),
-                    Colour::Level(number as u8),
-                    values.iter().map(is_in).collect(),
-                )
-            })
-            .collect();
-        let infinite: Vec<bool> = values.iter().map(|value| value.is_infinite()).collect();
-        if infinite.contains(&true) {
-            classes.push(("infinite".to_owned(), Colour::Grey, infinite));
-        }
-        classes
-    }
-}
-
-/// Three figures.
-fn shown(value: f64) -> String {
-    let value: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    value.to_string()
+/// The text with its first letter as a capital.
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
 }
 
 /// The most frequent words, and the rest together.
 fn by_word(words: &[String]) -> Vec<Class> {
     let mut counts: HashMap<&str, usize> = HashMap::new();
-    for word in words.iter().filter(|word| !word.is_empty()) {
+    for word in words.iter().filter(|word| !word.is_empty() && *word != UNDECIDED) {
         *counts.entry(word).or_default() += 1;
     }
     let mut known: Vec<(&str, usize)> = counts.into_iter().collect();
@@ -224,10 +190,12 @@ fn by_word(words: &[String]) -> Vec<Class> {
         .collect();
     if !rest.is_empty() {
         let is_in = |own: &String| rest.iter().any(|(word, _)| word == own);
-        classes.push((OTHERS.to_owned(), Colour::Grey, words.iter().map(is_in).collect()));
+        classes.push((OTHERS.to_owned(), Colour::LightGrey, words.iter().map(is_in).collect()));
     }
-    if words.iter().any(String::is_empty) {
-        classes.push((NO_WORD.to_owned(), Colour::Black, is("")));
+    for (name, word, colour) in [(NO_WORD, "", Colour::DarkGrey), (UNDECIDED, UNDECIDED, Colour::White)] {
+        if words.iter().any(|own| own == word) {
+            classes.push((name.to_owned(), colour, is(word)));
+        }
     }
     classes
 }
@@ -242,6 +210,7 @@ mod tests {
             y: Parameter::new("r_b", (0.4, 0.5)),
             points: [3, 2],
             layers: vec![layer],
+            marks: (String::new(), Vec::new()),
         }
     }
 
@@ -254,13 +223,17 @@ mod tests {
             values: values.clone(),
             ends: None,
         };
-        let classes = Scale::of(&values).classes(&values);
+        let classes = by_step(&round_edges(&values), &values);
         for (point, value) in values.iter().enumerate() {
             let count = classes.iter().filter(|(_, _, is_in)| is_in[point]).count();
             assert_eq!(count, usize::from(!value.is_nan()), "{value}");
         }
         let scaled = map(layer.clone()).panel(&layer);
-        assert_eq!(scaled.series[0].name, "rate: 1 to 9 V in 8 steps");
+        let bar = scaled.bar.expect("a bar of colours");
+        assert_eq!(
+            (bar.label.as_str(), bar.ends, bar.colours.len()),
+            ("rate  [V]", (1.0, 9.0), 8)
+        );
         let panel = map(layer).panel(&Layer::Words {
             name: "word".to_owned(),
             words: ["BT", "BT", "", "BTT", "BT", "BT"].map(str::to_owned).to_vec(),
@@ -283,19 +256,46 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_equal_and_zero_is_an_edge() {
+    fn a_value_at_an_edge_is_in_the_step_above_and_the_largest_in_the_last() {
         let values: Vec<f64> = (0..=80).map(f64::from).collect();
-        let scale = Scale::of(&values);
-        assert_eq!(scale.edges, [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0]);
-        let classes = scale.classes(&values);
+        let classes = by_step(&round_edges(&values), &values);
         assert!(classes[7].2[80] && classes[0].2[0] && classes[1].2[10] && !classes[0].2[10]);
-        let scale = Scale::of(&[-3.0, f64::NEG_INFINITY, 1.0]);
-        assert_eq!((scale.below_zero, scale.edges[6], scale.edges[7]), (6, 0.0, 0.5));
+        assert!(by_step(&round_edges(&[f64::NAN]), &[f64::NAN]).is_empty());
+    }
+
+    #[test]
+    fn words_that_are_none_have_greys_of_their_own() {
+        let words = ["BT", "", UNDECIDED, "a", "b", "c", "d", "e", "f", "g"].map(str::to_owned);
+        let greys: Vec<(String, Colour)> = by_word(&words)
+            .into_iter()
+            .map(|(name, colour, _)| (name, colour))
+            .filter(|(_, colour)| !Colour::LINES.contains(colour))
+            .collect();
         assert_eq!(
-            scale.told("exponent", "1/s"),
-            "exponent: -3 to 0 1/s in 6 steps, 0 to 1 in 2"
+            greys,
+            [
+                (OTHERS.to_owned(), Colour::LightGrey),
+                (NO_WORD.to_owned(), Colour::DarkGrey),
+                (UNDECIDED.to_owned(), Colour::White)
+            ]
         );
-        assert_eq!(Scale::of(&[2.0, 2.0]).classes(&[2.0, 2.0]).len(), 1);
-        assert!(Scale::of(&[f64::NAN]).classes(&[f64::NAN]).is_empty());
+    }
+
+    #[test]
+    fn what_is_marked_stands_over_the_cells_with_its_label() {
+        let mut marked = map(Layer::Words {
+            name: "word".to_owned(),
+            words: vec!["BT".to_owned(); 6],
+        });
+        let mark = Mark {
+            at: (0.2, 0.5),
+            label: "1".to_owned(),
+        };
+        marked.marks = ("attractor".to_owned(), vec![mark]);
+        let last = marked.panels()[0].series.last().cloned().expect("marks");
+        let Shape::Marks { marks, .. } = &last.shape else {
+            panic!("{last:?}")
+        };
+        assert_eq!((last.name.as_str(), marks[0].label.as_str()), ("attractor", "1"));
     }
 }

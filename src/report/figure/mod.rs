@@ -29,7 +29,7 @@ pub use diagram::{Diagram, Impact};
 pub use displacement::displacement;
 pub use energy::Energy;
 pub use extremes::extremes;
-pub use map::{HeatMap, Layer};
+pub use map::{HeatMap, Layer, UNDECIDED};
 pub use optimum::{BestValue, Slice, slices};
 pub use parameter::Parameter;
 pub use portrait::{Path, Portrait};

@@ -36,9 +36,9 @@ impl BestValue {
 
 /// What the figure of an optimum calls things.
 const NAME: &str = "voltage per forcing period";
-const UNIT: &str = "V";
+const UNIT: &str = "kV";
 const NOTHING: &str = "no stable motion as asked";
-const PROVED: &str = "where the best device is";
+const PROVED: &str = "region proved to hold the best device";
 
 const EDGE: Stroke = Stroke {
     colour: Colour::Vermillion,
@@ -105,14 +105,15 @@ impl Slice {
         let layer = Layer::Values {
             name: NAME.to_owned(),
             unit: UNIT.to_owned(),
-            values: self.values.clone(),
-            ends: Some(ends),
+            values: self.values.iter().map(|volts| volts / 1000.0).collect(),
+            ends: Some((ends.0 / 1000.0, ends.1 / 1000.0)),
         };
         let map = HeatMap {
             x: x.clone(),
             y: y.clone(),
             points: [self.points, self.points],
             layers: Vec::new(),
+            marks: (String::new(), Vec::new()),
         };
         let mut panel = map.panel(&layer);
         let nothing: Vec<bool> = self.values.iter().map(|value| value.is_nan()).collect();
@@ -121,7 +122,7 @@ impl Slice {
             name: NOTHING.to_owned(),
             shape: Shape::Cells {
                 corners,
-                colour: Colour::Grey,
+                colour: Colour::LightGrey,
             },
         });
         if let [Some(at_x), Some(at_y)] = at {
@@ -159,13 +160,14 @@ mod tests {
             values,
             heading: "r_t = 0.3".to_owned(),
         };
-        let panels = slices(
-            &[slice(vec![1.0, 9.0, f64::NAN, 3.0]), slice(vec![4.0, 4.0, 4.0, 4.0])],
-            "best",
-        );
+        let panels = slices(&[slice(vec![1e3, 9e3, f64::NAN, 3e3]), slice(vec![4e3; 4])], "best");
         for panel in &panels {
             let named = |name: &str| panel.series.iter().find(|series| series.name == name);
-            assert!(named("voltage per forcing period: 1 to 9 V in 8 steps").is_some());
+            let bar = panel.bar.as_ref().expect("a bar of colours");
+            assert_eq!(
+                (bar.label.as_str(), bar.ends),
+                ("voltage per forcing period  [kV]", (1.0, 9.0))
+            );
             assert!(named("best").is_some() && named(PROVED).is_some());
             let cells = panel.series.iter().filter_map(|series| match &series.shape {
                 Shape::Cells { corners, .. } => Some(corners.len()),

@@ -35,10 +35,10 @@ impl Portrait {
         let (reach, far) = (1.12 * half, 2.0 * half);
         let mut panel = Panel::new(
             Axis::over(
-                "place of the ball, Z  [A\u{3c0}\u{b2}/(M\u{3c9}\u{b2})]",
+                "relative displacement, $Z$  [$A\u{3c0}\u{b2}/(M\u{3c9}\u{b2})$]",
                 (-reach, reach),
             ),
-            Axis::new("velocity of the ball, \u{17b}  [A\u{3c0}/(M\u{3c9})]"),
+            Axis::new("relative velocity, $\u{17b}$  [$A\u{3c0}/(M\u{3c9})$]"),
         );
         panel.heading = "Phase portrait".to_owned();
         let stroke = |colour, dash, width| Stroke { colour, dash, width };
@@ -60,7 +60,7 @@ impl Portrait {
         let sized = |marker: Marker| Marker { size: 6.0, ..marker };
         panel.series = vec![
             Series {
-                name: "walls: top \u{2212}d/2, bottom +d/2".to_owned(),
+                name: "walls: top $\u{2212}d/2$, bottom $+d/2$".to_owned(),
                 shape: Shape::Bands {
                     spans: vec![(-far, -half), (half, far)],
                     colour: Colour::Grey,
@@ -68,12 +68,12 @@ impl Portrait {
             },
             Series::verticals("", vec![-half, half], stroke(Colour::Black, Dash::Solid, 1.0)),
             Series::line(
-                "flight",
+                "flight between impacts",
                 joined(self.flights.clone()),
                 stroke(Colour::Blue, Dash::Solid, 1.5),
             ),
             Series::line(
-                "impact",
+                "jump at an impact",
                 joined(jumps.collect()),
                 stroke(Colour::Vermillion, Dash::Dashed, 2.2),
             ),

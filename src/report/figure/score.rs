@@ -2,7 +2,7 @@
 
 use crate::accuracy::problems::{Kind, Level};
 use crate::accuracy::score::{Precision, Rating};
-use crate::report::plot::{Axis, Colour, Dash, Form, Marker, Panel, Point, Series, Shape, Stroke};
+use crate::report::plot::{Axis, Colour, Dash, Form, Marker, Panel, Point, Series, Shape, Stroke, Ticks};
 
 /// The looks of the levels.
 const LOOKS: [(Level, Marker); 3] = [
@@ -73,7 +73,7 @@ fn of_kind(kind: Kind, ratings: &[Rating]) -> Option<Panel> {
 /// Worst and median digits over the seconds that a program took for all problems at one tolerance after the other.
 pub fn work_precision(runs: &[(f64, Precision)]) -> Panel {
     let mut panel = Panel::new(
-        Axis::new("log\u{2081}\u{2080} of the seconds for all problems"),
+        Axis::new("seconds for all problems").with_ticks(Ticks::Powers),
         Axis::new("digits"),
     );
     panel.heading = "Work and precision".to_owned();

@@ -1,6 +1,6 @@
 //! A motion at one value of the parameter, and what of its impacts is shown.
 
-use crate::report::plot::{Axis, Dash};
+use crate::report::plot::{Axis, Dash, Ticks};
 use std::f64::consts::{PI, TAU};
 
 /// How a motion goes on when it is disturbed, if it can be at all.
@@ -26,7 +26,7 @@ impl Course {
         match self {
             Self::Stable => "stable",
             Self::Unstable => "unstable",
-            Self::Inadmissible => "not possible: through a wall (grey)",
+            Self::Inadmissible => "unphysical (through a wall)",
         }
     }
 
@@ -63,14 +63,14 @@ pub enum Quantity {
 impl Quantity {
     const fn label(self) -> &'static str {
         match self {
-            Self::Velocity => "velocity before impact, \u{17b}  [A\u{3c0}/(M\u{3c9})]",
-            Self::Phase => "phase of impact, \u{3c6}  [rad]",
+            Self::Velocity => "velocity before impact, $\u{17b}$  [$A\u{3c0}/(M\u{3c9})$]",
+            Self::Phase => "phase of impact, $\u{3c6}$  [rad]",
         }
     }
 
     pub(super) const fn heading(self) -> &'static str {
         match self {
-            Self::Velocity => "Impact velocity",
+            Self::Velocity => "Velocity of the impacts",
             Self::Phase => "Phase of the impacts",
         }
     }
@@ -91,7 +91,7 @@ impl Quantity {
     pub(super) fn axis(self) -> Axis {
         match self {
             Self::Velocity => Axis::new(self.label()),
-            Self::Phase => Axis::over(self.label(), (-0.02 * TAU, 1.02 * TAU)),
+            Self::Phase => Axis::over(self.label(), (-0.02 * TAU, 1.02 * TAU)).with_ticks(Ticks::Pi),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::accuracy::TradeRow;
 use crate::number::Rung;
-use crate::report::plot::{Axis, Colour, Dash, Figure, Form, Mark, Marker, Panel, Point, Series, Stroke};
+use crate::report::plot::{Axis, Colour, Dash, Figure, Form, Mark, Marker, Panel, Point, Series, Stroke, Ticks};
 
 /// Panels side by side.
 const COLUMNS: usize = 3;
@@ -56,10 +56,10 @@ fn at(row: &TradeRow) -> Point {
 
 fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
     let mut panel = Panel::new(
-        Axis::new("log\u{2081}\u{2080} of time / L  (L: one f64 sine and cosine)"),
-        Axis::new("digits at half of the problems"),
+        Axis::new("time / $L$  ($L$: one f64 sine and cosine)").with_ticks(Ticks::Powers),
+        Axis::new("correct digits at half of the problems"),
     );
-    panel.heading = task.to_owned();
+    panel.heading = in_words(task);
     let mut front: Vec<Point> = rows.iter().filter(|row| row.on_front).map(|row| at(row)).collect();
     front.sort_by(|one, other| one.0.total_cmp(&other.0));
     let stroke = |colour, dash, width| Stroke { colour, dash, width };
@@ -100,6 +100,24 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
         }
     }
     panel
+}
+
+/// The name of a task, as `dp/random/trace`, in words.
+fn in_words(task: &str) -> String {
+    let (what, rest) = task.split_once('/').unwrap_or((task, ""));
+    let what = match what {
+        "dp" => "Jacobian of a 1-1 motion",
+        "multipliers" => "Multipliers",
+        "voltage" => "Voltage of an impact",
+        "impact" => "Next impact",
+        "orbit" => "1-1 orbit",
+        "statistics" => "Long run",
+        other => other,
+    };
+    match rest.replace('/', ", ").replace(['-', '_'], " ") {
+        rest if rest.is_empty() => what.to_owned(),
+        rest => format!("{what}: {rest}"),
+    }
 }
 
 /// The means that stand there with more than one setting, each as a line in the order of its settings.
@@ -149,7 +167,14 @@ mod tests {
             row("impact", "own", Rung::DoubleDouble, true),
         ];
         let svg = trades(&rows, "a machine").svg().expect("a figure");
-        for text in ["orbit", "impact", "newton", "own", "a machine", "double-double"] {
+        for text in [
+            "1-1 orbit",
+            "Next impact",
+            "newton",
+            "own",
+            "a machine",
+            "double-double",
+        ] {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("secant"));

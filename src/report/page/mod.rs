@@ -9,7 +9,7 @@ mod table;
 pub use formula::{Given, Printed};
 
 use super::Table;
-use super::plot::{Figure, PlotError};
+use super::plot::{Figure, Level, PlotError};
 use crate::markup::{Element, Markup, Written, element, empty, text_in};
 use std::io::{self, Write};
 
@@ -235,10 +235,12 @@ impl Page {
 fn drawing(figure: &Figure) -> Result<Element, PlotError> {
     let drawn = Markup::from(Written::by_our_writer(figure.svg()?));
     let pieces = super::plot::pieces(&figure.title);
-    let name: String = pieces.iter().map(|(text, _)| text.as_str()).collect();
-    let heading = pieces.into_iter().map(|(text, below)| match below {
-        true => Markup::from(text_in("sub", text)),
-        false => Markup::from(text),
+    let name: String = pieces.iter().map(|piece| piece.text.as_str()).collect();
+    let heading = pieces.into_iter().map(|piece| match (piece.level, piece.is_symbol) {
+        (Level::Below, _) => Markup::from(text_in("sub", piece.text)),
+        (Level::Above, _) => Markup::from(text_in("sup", piece.text)),
+        (Level::Line, true) => Markup::from(text_in("i", piece.text)),
+        (Level::Line, false) => Markup::from(piece.text),
     });
     let drawn = element("div", [drawn]).with("role", "img").with("aria-label", name);
     let wide = scrolled("Figure", drawn);

@@ -5,17 +5,17 @@ use super::clip;
 use super::label::{Rect, Room};
 use super::legend::line;
 use super::marker::Marker;
-use super::panel::Panel;
+use super::panel::{ColourBar, Panel};
 use super::paper::{Area, Drawn, PlotError};
 use super::scale::Scale;
 use super::series::{Mark, Point, SHADE, Shape, Stroke};
 use super::span::Span;
 use super::text::{fitting, width};
-use super::ticks::Ticks;
+use super::ticks::{Tick, Ticks};
 use plotters::chart::ChartBuilder;
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{BLACK, Color, FontDesc, FontStyle, IntoFont, RGBColor, WHITE};
+use plotters::style::{BLACK, Color, FontDesc, FontStyle, FontTransform, IntoFont, RGBColor, WHITE};
 use std::collections::HashSet;
 
 /// Fonts in pixels.
@@ -32,6 +32,10 @@ const TICK: f64 = 5.0;
 const BESIDE: f64 = 34.0;
 /// Left of the axis' label.
 const LEFT: f64 = 6.0;
+/// From the frame to a bar of colours, its width, and from its tick labels to its label.
+const BAR_APART: f64 = 12.0;
+const BAR: f64 = 14.0;
+const BAR_BESIDE: f64 = 30.0;
 /// Pixels for each tick.
 const X_ROOM: f64 = 60.0;
 const Y_ROOM: f64 = 36.0;
@@ -63,16 +67,23 @@ pub(super) fn panel(
     let tenths = |pixels: f64| (pixels * TENTHS).round() as i32;
     let x = span(panel, &panel.x.range, |point| point.0);
     let y = span(panel, &panel.y.range, |point| point.1);
-    let y_ticks = Ticks::new(&y, ((high - HEADING - BOTTOM) / Y_ROOM) as usize);
-    let widest = y_ticks
-        .at
-        .iter()
-        .map(|at| width(&y_ticks.label(*at)))
-        .fold(0.0, f64::max);
-    let beside = BESIDE + widest * TICK_FONT;
-    let x_ticks = Ticks::new(&x, ((wide - LEFT - beside - RIGHT) / X_ROOM) as usize);
+    let most = ((high - HEADING - BOTTOM) / Y_ROOM) as usize;
+    let y_ticks = panel.y.ticks.over(&y, most);
+    let widest = |ticks: &[Tick]| ticks.iter().map(|tick| width(&tick.1)).fold(0.0, f64::max) * TICK_FONT;
+    let beside = BESIDE + widest(&y_ticks);
+    let bar = panel.bar.as_ref().map(|bar| {
+        let span = Span::new(bar.ends.0, bar.ends.1);
+        let ticks = Ticks::Decimals.over(&span, most);
+        (bar, span, ticks)
+    });
+    let right = match &bar {
+        Some((_, _, ticks)) => BAR_APART + BAR + TICK + widest(ticks) + BAR_BESIDE,
+        None => RIGHT,
+    };
+    let room = wide - LEFT - beside - right;
+    let x_ticks = panel.x.ticks.over(&x, (room / X_ROOM) as usize);
 
-    let heading_font = fitting(&panel.heading, HEADING_FONT, wide - LEFT - beside - RIGHT);
+    let heading_font = fitting(&panel.heading, HEADING_FONT, wide - LEFT - beside);
     let heading: FontDesc = ("sans-serif", heading_font * TENTHS).into_font().style(FontStyle::Bold);
     let at = (left + tenths(LEFT + beside), top + tenths(HEADING / 2.0));
     let style = heading.color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
@@ -83,7 +94,7 @@ pub(super) fn panel(
         .shrink((left, top + tenths(HEADING)), (tenths(wide), tenths(high - HEADING)));
     let mut chart = ChartBuilder::on(&body)
         .margin_left(tenths(LEFT))
-        .margin_right(tenths(RIGHT))
+        .margin_right(tenths(right))
         .x_label_area_size(tenths(BOTTOM))
         .y_label_area_size(tenths(beside))
         .build_cartesian_2d(
@@ -98,7 +109,7 @@ pub(super) fn panel(
         )?;
     let font = |pixels: f64| ("sans-serif", pixels * TENTHS).into_font();
     // one size for both, so that neither is cut
-    let axis_font = fitting(&panel.x.label, AXIS_FONT, wide - LEFT - beside - RIGHT);
+    let axis_font = fitting(&panel.x.label, AXIS_FONT, room);
     let axis_font = fitting(&panel.y.label, axis_font, high - HEADING);
     chart
         .configure_mesh()
@@ -124,7 +135,48 @@ pub(super) fn panel(
         },
         map: |point: Point| chart.backend_coord(&point),
     };
-    frame.fill(panel)
+    frame.fill(panel)?;
+    match bar {
+        Some((bar, span, ticks)) => colour_bar(area, bar, &span, &ticks, frame.rect, axis_font),
+        None => Ok(()),
+    }
+}
+
+/// Draws a bar of colours at the right of a frame.
+fn colour_bar(
+    area: &Area,
+    bar: &ColourBar,
+    span: &Span,
+    ticks: &[Tick],
+    frame: Rect,
+    axis_font: f64,
+) -> Result<(), PlotError> {
+    let tenths = |pixels: f64| (pixels * TENTHS).round() as i32;
+    let left = frame.left + frame.width + tenths(BAR_APART);
+    let right = left + tenths(BAR);
+    let bottom = frame.top + frame.height;
+    let place = |part: f64| bottom - (part * f64::from(frame.height)).round() as i32;
+    let steps = bar.colours.len().max(1) as f64;
+    for (index, colour) in bar.colours.iter().enumerate() {
+        let [from, to] = [index, index + 1].map(|edge| place(edge as f64 / steps));
+        area.draw(&Rectangle::new([(left, to), (right, from)], colour.pen().filled()))?;
+    }
+    let edge = [(left, frame.top), (right, bottom)];
+    area.draw(&Rectangle::new(edge, BLACK.stroke_width(FRAME)))?;
+    let font = |pixels: f64| -> FontDesc { ("sans-serif", pixels * TENTHS).into_font() };
+    let style = font(TICK_FONT).color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
+    let mut widest = 0.0_f64;
+    for (value, text) in ticks {
+        let y = place((value - span.low()) / span.length());
+        let tick = vec![(right, y), (right + tenths(TICK), y)];
+        area.draw(&PathElement::new(tick, BLACK.stroke_width(FRAME)))?;
+        area.draw_text(text, &style, (right + tenths(TICK + 3.0), y))?;
+        widest = widest.max(width(text) * TICK_FONT);
+    }
+    let font = font(axis_font).transform(FontTransform::Rotate270);
+    let style = font.color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+    let beside = right + tenths(TICK + widest + 0.5 * BAR_BESIDE + 2.0);
+    Ok(area.draw_text(&bar.label, &style, (beside, frame.top + frame.height / 2))?)
 }
 
 fn span(panel: &Panel, range: &Option<(f64, f64)>, part: impl Fn(Point) -> f64) -> Span {
@@ -191,7 +243,6 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
                     }
                 }
                 Shape::Marks { marks, marker } => self.marks(marks, marker, &mut room)?,
-                Shape::Scale { .. } => {}
             }
         }
         let corners = [(left, top), (left + width, top + height)];

@@ -15,6 +15,7 @@ use plotters::style::{BLACK, FontDesc, FontStyle, IntoFont};
 /// Panels under one title.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
+    /// Above all; may be empty.
     pub title: String,
     /// How many panels stand side by side.
     pub columns: usize,
@@ -73,7 +74,8 @@ impl Figure {
         let rows: Vec<&[Panel]> = self.panels.chunks(columns).collect();
         let wide = width * columns as f64;
         let legend = Legend::new(self.panels.iter().flat_map(|panel| &panel.series), wide - 2.0 * MARGIN);
-        let below = TITLE + height * rows.len() as f64;
+        let above = if self.title.is_empty() { 0.0 } else { TITLE };
+        let below = above + height * rows.len() as f64;
         let size = (wide, below + APART + legend.height() + FOOT);
         let mut out = String::new();
         {
@@ -85,7 +87,7 @@ impl Figure {
             area.draw_text(&self.title, &style, (tenths(size.0 / 2.0), tenths(TITLE / 2.0 + 2.0)))?;
             for (row, panels) in rows.iter().enumerate() {
                 for (column, panel) in panels.iter().enumerate() {
-                    let corner = (width * column as f64, TITLE + height * row as f64);
+                    let corner = (width * column as f64, above + height * row as f64);
                     draw::panel(&area, panel, (tenths(corner.0), tenths(corner.1)), self.panel_size)?;
                 }
             }

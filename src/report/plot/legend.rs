@@ -15,6 +15,8 @@ const ROW: f64 = 19.0;
 const SAMPLE: f64 = 24.0;
 const GAP: f64 = 6.0;
 const BETWEEN: f64 = 14.0;
+/// Around a sample of cells, in tenths of a pixel.
+const EDGE: u32 = 7;
 
 /// The names of the series of all panels, in rows.
 pub(super) struct Legend<'a> {
@@ -105,14 +107,9 @@ fn sample(area: &Area, shape: &Shape, (left, middle): (i32, i32)) -> Drawn {
         }
         Shape::Cells { colour, .. } => {
             let corners = [(left, middle - 45), (left + wide, middle + 45)];
-            area.draw(&Rectangle::new(corners, colour.pen().filled()))
-        }
-        Shape::Scale { colours } => {
-            let edge = |at: usize| left + wide * at as i32 / colours.len().max(1) as i32;
-            colours.iter().enumerate().try_for_each(|(at, colour)| {
-                let corners = [(edge(at), middle - 45), (edge(at + 1), middle + 45)];
-                area.draw(&Rectangle::new(corners, colour.pen().filled()))
-            })
+            area.draw(&Rectangle::new(corners, colour.pen().filled()))?;
+            // white is seen by its edge
+            area.draw(&Rectangle::new(corners, BLACK.stroke_width(EDGE)))
         }
     }
 }

@@ -34,10 +34,11 @@ pub use colour::Colour;
 pub use dash::Dash;
 pub use figure::Figure;
 pub use marker::{Form, Marker};
-pub use panel::{Axis, Panel};
+pub use panel::{Axis, ColourBar, Panel};
 pub use paper::PlotError;
 pub use series::{Mark, Point, Series, Shape, Stroke};
-pub(super) use text::pieces;
+pub(super) use text::{Level, pieces};
+pub use ticks::{Ticks, round_edges};
 
 /// Pixels are counted in tenths: one on the drawing's own grid is a tenth of one on the page.
 const TENTHS: f64 = 10.0;

@@ -1,6 +1,8 @@
 //! A panel: two axes and what stands between them.
 
+use super::colour::Colour;
 use super::series::Series;
+use super::ticks::Ticks;
 
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,6 +11,8 @@ pub struct Axis {
     pub label: String,
     /// From where to where; around all points with a small margin where nothing is said.
     pub range: Option<(f64, f64)>,
+    /// How its numbers are written.
+    pub ticks: Ticks,
 }
 
 impl Axis {
@@ -17,6 +21,7 @@ impl Axis {
         Self {
             label: label.into(),
             range: None,
+            ticks: Ticks::default(),
         }
     }
 
@@ -25,7 +30,13 @@ impl Axis {
         Self {
             label: label.into(),
             range: Some(range),
+            ticks: Ticks::default(),
         }
+    }
+
+    /// The axis with its numbers written in another way.
+    pub fn with_ticks(self, ticks: Ticks) -> Self {
+        Self { ticks, ..self }
     }
 }
 
@@ -37,6 +48,19 @@ pub struct Panel {
     pub x: Axis,
     pub y: Axis,
     pub series: Vec<Series>,
+    /// What the colours of its cells mean, at the right of the frame.
+    pub bar: Option<ColourBar>,
+}
+
+/// A scale of colours in equal steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColourBar {
+    /// What the colours measure, with the unit.
+    pub label: String,
+    /// Where the first step begins and the last one ends.
+    pub ends: (f64, f64),
+    /// Of the steps, from the least on.
+    pub colours: Vec<Colour>,
 }
 
 impl Panel {
@@ -47,6 +71,7 @@ impl Panel {
             x,
             y,
             series: Vec::new(),
+            bar: None,
         }
     }
 }

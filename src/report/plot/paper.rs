@@ -68,6 +68,10 @@ enum Look {
     Fill {
         colour: Ink,
     },
+    /// Rectangles, of which neighbours leave no seam.
+    Cells {
+        colour: Ink,
+    },
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -160,12 +164,16 @@ impl<'a> Paper<'a> {
                     colour.opacity("stroke")
                 ),
             ),
-            Look::Fill { colour } => push(
+            Look::Fill { colour } | Look::Cells { colour } => push(
                 self.out,
                 format_args!(
-                    "<path fill=\"{}\"{} d=\"{data}\"/>\n",
+                    "<path fill=\"{}\"{}{} d=\"{data}\"/>\n",
                     colour.hex(),
-                    colour.opacity("fill")
+                    colour.opacity("fill"),
+                    match look {
+                        Look::Cells { .. } => " shape-rendering=\"crispEdges\"",
+                        _ => "",
+                    }
                 ),
             ),
         }
@@ -241,7 +249,7 @@ impl DrawingBackend for Paper<'_> {
     ) -> Done {
         let colour = style.color().into();
         let look = if fill {
-            Look::Fill { colour }
+            Look::Cells { colour }
         } else {
             Look::Stroke {
                 colour,

@@ -1,7 +1,7 @@
 //! An axis as `plotters` lays it out: where a number goes, where the ticks are, what stands at them.
 
 use super::span::Span;
-use super::ticks::Ticks;
+use super::ticks::Tick;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use std::ops::Range;
 #[derive(Clone, Debug)]
 pub(super) struct Scale {
     pub span: Span,
-    pub ticks: Ticks,
+    pub ticks: Vec<Tick>,
 }
 
 impl Ranged for Scale {
@@ -27,7 +27,7 @@ impl Ranged for Scale {
         if hint.weight().allow_light_points() {
             Vec::new()
         } else {
-            self.ticks.at.clone()
+            self.ticks.iter().map(|tick| tick.0).collect()
         }
     }
 
@@ -38,7 +38,8 @@ impl Ranged for Scale {
 
 impl ValueFormatter<f64> for Scale {
     fn format_ext(&self, value: &f64) -> String {
-        self.ticks.label(*value)
+        let own = self.ticks.iter().find(|tick| tick.0 == *value);
+        own.map_or(String::new(), |tick| tick.1.clone())
     }
 }
 
@@ -49,7 +50,7 @@ mod tests {
     #[test]
     fn the_ends_of_an_axis_are_those_of_the_frame() {
         let span = Span::new(0.1, 0.5);
-        let ticks = Ticks::new(&span, 5);
+        let ticks = Vec::new();
         let scale = Scale { span, ticks };
         let places = [0.1, 0.5, 0.3, 1e300, f64::NAN].map(|value| scale.map(&value, (1000, 200)));
         assert_eq!(places, [1000, 200, 600, -7000, 0]);

@@ -61,8 +61,6 @@ pub enum Shape {
     Bands { spans: Vec<(f64, f64)>, colour: Colour },
     /// Filled rectangles, each from one corner to the opposite one.
     Cells { corners: Vec<[Point; 2]>, colour: Colour },
-    /// Nothing, but for the legend, which tells what these colours mean from the first to the last.
-    Scale { colours: Vec<Colour> },
 }
 
 impl Series {
@@ -113,7 +111,6 @@ impl Series {
             Shape::Verticals { at, .. } | Shape::Horizontals { at, .. } => !at.iter().any(|value| value.is_finite()),
             Shape::Bands { spans, .. } => !spans.iter().any(finite),
             Shape::Cells { corners, .. } => !corners.iter().any(|ends| ends.iter().all(finite)),
-            Shape::Scale { colours } => colours.is_empty(),
         }
     }
 
