@@ -186,8 +186,8 @@ fn draw(arguments: &Arguments, figure: &Figure) -> Result<(), Failure> {
     let Some(path) = &arguments.plot else {
         return Ok(());
     };
-    let svg = figure.svg()?;
-    Ok(Output::File(path.clone()).write(|to| to.write_all(svg.as_bytes()))?)
+    let image = figure.bytes(Some(path))?;
+    Ok(Output::File(path.clone()).write(|to| to.write_all(&image))?)
 }
 
 fn count(count: usize) -> Cell {

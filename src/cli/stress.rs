@@ -29,7 +29,7 @@ pub struct Arguments {
     /// Approach each extreme step by step: digits against the distance, or against the length that grows
     #[arg(long, conflicts_with_all = ["search", "bless", "frozen"])]
     pub(super) curve: bool,
-    /// Draw the curves as an SVG, a panel for each extreme
+    /// Draw the curves as SVG or PNG, a panel for each extreme
     #[arg(long, value_name = "FILE", requires = "curve")]
     plot: Option<PathBuf>,
 }
@@ -98,8 +98,8 @@ fn curve(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let drawing = options.beside(arguments.plot.as_ref())?;
     let rows = curves(arguments.case.as_deref())?;
     if let Some(output) = drawing {
-        let svg = extremes(&rows).svg()?;
-        output.write(|out| out.write_all(svg.as_bytes()))?;
+        let image = extremes(&rows).bytes(arguments.plot.as_deref())?;
+        output.write(|out| out.write_all(&image))?;
     }
     let is_text = options.format == Format::Text;
     let columns = CURVE_COLUMNS.len() - usize::from(is_text);

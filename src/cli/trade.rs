@@ -36,7 +36,7 @@ pub struct Arguments {
     /// with 1 where neither a means of a task nor a command does it, and names the closest.
     #[arg(long, value_name = "NEED", conflicts_with_all = ["task", "problems", "method", "number"])]
     pub(super) advise: Option<Need>,
-    /// Draw digits against time as an SVG, a panel for each task; the fastest method for each number of digits is marked
+    /// Draw digits against time as SVG or PNG, a panel for each task; the fastest method for each number of digits is marked
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -140,8 +140,8 @@ fn measured_latency(without_clock: bool) -> Latency {
 
 fn draw(rows: &[TradeRow], drawing: Option<Output>) -> Result<(), Failure> {
     if let Some(output) = drawing {
-        let svg = trades(rows, &machine()).svg()?;
-        output.write(|out| out.write_all(svg.as_bytes()))?;
+        let image = trades(rows, &machine()).bytes(output.path())?;
+        output.write(|out| out.write_all(&image))?;
     }
     Ok(())
 }

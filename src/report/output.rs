@@ -167,6 +167,14 @@ pub fn is_same_file(a: &Path, b: &Path) -> bool {
 }
 
 impl Output {
+    /// The file, where it is one.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Stdout => None,
+            Self::File(path) | Self::Member(path) => Some(path),
+        }
+    }
+
     /// Looks whether the place can be written, so that no long computation is lost to a wrong path.
     pub fn check(&self) -> Result<(), OutputError> {
         match self {

@@ -262,6 +262,32 @@ fn numbers_on_a_map_have_a_bar_of_colours_with_round_ticks() {
 }
 
 #[test]
+fn a_png_is_what_its_name_says_and_a_narrow_figure_has_its_panels_below_each_other() {
+    let scratch = scratch("png");
+    let file = scratch.path("figure.PNG");
+    assert!(plotted(&["fig12", "--out", &file]).is_empty());
+    let bytes = fs::read(&file).unwrap();
+    assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n"));
+    // two pixels for each of the SVG
+    let side = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!(side(16), 1800);
+    let narrow = plotted(&["fig12", "--narrow"]);
+    let document = Document::parse(&narrow).unwrap();
+    let [width, height] =
+        ["width", "height"].map(|side| document.root_element().attribute(side).unwrap().parse::<f64>().unwrap());
+    assert!(width == 420.0 && height > 640.0, "{width} x {height}");
+    // at 8.5 cm text is of 6.5 points or more, as journals ask for
+    let points = 8.5 / 2.54 * 72.0 / width;
+    let sizes = document.descendants().filter(|node| node.has_tag_name("text"));
+    let least = sizes.map(|node| node.attribute("font-size").unwrap().parse::<f64>().unwrap() / 10.0);
+    assert!(least.fold(99.0, f64::min) * points > 6.5);
+    assert_refused(
+        &["fig12", "--out", &scratch.path("figure.pdf")],
+        &["SVG and PNG, not PDF"],
+    );
+}
+
+#[test]
 fn the_scenes_of_the_examples_are_drawn() {
     for (file, sets, wanted) in [
         ("map.toml", ["map.x.points=4", "map.y.points=3"], "BTBT"),

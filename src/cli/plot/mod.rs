@@ -8,6 +8,7 @@ mod optimum;
 mod paper;
 mod swept;
 
+use super::answer::Copied;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments};
 use crate::report::plot::{Figure, Panel};
 use crate::report::{Cell, Output, Table};
@@ -16,7 +17,7 @@ use claims::Claims;
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Draw a scene as SVG; `plot all --out DIR` draws every figure of the paper
+/// Draw a scene as SVG or PNG; `plot all --out DIR` draws every figure of the paper
 ///
 /// What is drawn depends on `want` in the scene:
 ///   branch, sweep   a bifurcation diagram
@@ -33,13 +34,22 @@ use std::path::Path;
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
+    /// Draw for one column of a page, 8.5 cm wide: panels stand below each other
+    #[arg(long)]
+    narrow: bool,
+    /// With `all`, write a PNG beside each SVG; a single figure is a PNG where --out ends in .png
+    #[arg(long)]
+    png: bool,
 }
 
 /// The word that stands for every figure of the paper; a file of this name is `./all`.
 const ALL: &str = "all";
 
-/// The extensions of images that are no SVG.
-const OTHER_IMAGES: [&str; 8] = ["png", "pdf", "jpg", "jpeg", "gif", "eps", "ps", "webp"];
+/// The extensions of images that are neither SVG nor PNG.
+const OTHER_IMAGES: [&str; 7] = ["pdf", "jpg", "jpeg", "gif", "eps", "ps", "webp"];
+
+/// The pixels of a panel whose text is of 7 points or more where it is 8.5 cm wide.
+const NARROW: (f64, f64) = (420.0, 320.0);
 
 /// The columns that scripts rely on.
 const COLUMNS: [&str; 3] = ["figure", "file", "bytes"];
@@ -49,6 +59,18 @@ impl Arguments {
     pub fn is_all(&self) -> bool {
         self.scene.name() == ALL
     }
+
+    /// The figure in the size that is asked for.
+    fn sized(&self, figure: Figure) -> Figure {
+        match self.narrow {
+            true => Figure {
+                columns: 1,
+                panel_size: NARROW,
+                ..figure
+            },
+            false => figure,
+        }
+    }
 }
 
 /// Runs the command.
@@ -57,7 +79,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let is_other = |known: &str| extension.is_some_and(|own| own.eq_ignore_ascii_case(known));
     if let Some(other) = OTHER_IMAGES.into_iter().find(|known| is_other(known)) {
         return Err(Failure::Usage(format!(
-            "plot writes SVG, not {}: name a file that ends in .svg, and convert it",
+            "plot writes SVG and PNG, not {}: name a file that ends in .svg, and convert it",
             other.to_uppercase()
         )));
     }
@@ -73,7 +95,14 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         } else {
             one(&scene, swept(&scene)?.as_ref(), &claims)?
         };
-        Content::Text(figure.svg()?)
+        let figure = arguments.sized(figure);
+        match extension {
+            Some(_) => {
+                let bytes = figure.bytes(options.out.as_deref())?;
+                Content::Copied(Copied(Box::new(move |to| to.write_all(&bytes).map(|()| 0))))
+            }
+            None => Content::Text(figure.svg()?),
+        }
     };
     Ok(Answer {
         content,
@@ -98,7 +127,7 @@ fn all(arguments: &Arguments, directory: &Path, claims: &Claims) -> Result<Table
     let scenes = scenes(arguments)?;
     super::options::create_directory(directory)?;
     let swept = paper::swept(&scenes)?;
-    let drawn: Result<Vec<(String, String)>, Failure> = scenes
+    let drawn: Result<Vec<(&str, Figure)>, Failure> = scenes
         .par_iter()
         .map(|scene| {
             let figure = if paper::is_comparison(scene) {
@@ -106,19 +135,22 @@ fn all(arguments: &Arguments, directory: &Path, claims: &Claims) -> Result<Table
             } else {
                 one(scene, paper::of(&swept, scene), claims)?
             };
-            Ok((scene.name().to_owned(), figure.svg()?))
+            Ok((scene.name(), arguments.sized(figure)))
         })
         .collect();
     let mut table = Table::new(COLUMNS);
-    for (name, svg) in drawn? {
-        let path = directory.join(format!("{name}.svg"));
-        Output::Member(path.clone()).write(|to| to.write_all(svg.as_bytes()))?;
-        let bytes = i64::try_from(svg.len()).unwrap_or(i64::MAX);
-        table.push([
-            Cell::from(name),
-            Cell::from(path.display().to_string()),
-            Cell::from(bytes),
-        ])?;
+    let extensions = if arguments.png { &["svg", "png"][..] } else { &["svg"] };
+    for (name, figure) in drawn? {
+        for extension in extensions {
+            let path = directory.join(format!("{name}.{extension}"));
+            let bytes = figure.bytes(Some(&path))?;
+            Output::Member(path.clone()).write(|to| to.write_all(&bytes))?;
+            table.push([
+                Cell::from(name),
+                Cell::from(path.display().to_string()),
+                Cell::from(i64::try_from(bytes.len()).unwrap_or(i64::MAX)),
+            ])?;
+        }
     }
     Ok(table)
 }

@@ -24,7 +24,7 @@ impl Parameter {
             "r_b" => "restitution of the bottom, r_B",
             "r_t" => "restitution of the top, r_T",
             "r" => "restitution of both membranes, $r$",
-            "incline" => "incline \u{3b2}  [rad]",
+            "incline" => "incline $\u{3b2}$  [rad]",
             "g" => "gravity along the capsule $g$  [$A/M$]",
             "forcing_amplitude" => "forcing amplitude $A$  [N]",
             other => other,

@@ -5,12 +5,14 @@ use super::draw;
 use super::legend::Legend;
 use super::panel::Panel;
 use super::paper::{Paper, PlotError};
+use super::png::png;
 use super::text::fitting;
 #[cfg(test)]
 use crate::model::calls::{self, Call};
 use plotters::drawing::IntoDrawingArea;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, FontDesc, FontStyle, IntoFont};
+use std::path::Path;
 
 /// Panels under one title.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +48,19 @@ impl Figure {
             columns: panels.len().max(1),
             panels,
             panel_size: (450.0, 350.0),
+        }
+    }
+
+    /// The figure as a file of this name has it: a PNG where it ends in `.png`, else an SVG.
+    ///
+    /// # Errors
+    /// Those of [`Figure::svg`]; of a PNG letters that its fonts lack.
+    pub fn bytes(&self, path: Option<&Path>) -> Result<Vec<u8>, PlotError> {
+        let svg = self.svg()?;
+        let extension = path.and_then(Path::extension);
+        match extension.is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+            true => png(&svg),
+            false => Ok(svg.into_bytes()),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Data to an SVG: panels with axes, series and a legend, in one [`Figure`]. Knows of no scene and no ball.
+//! Data to an SVG or PNG: panels with axes, series and a legend, in one [`Figure`]. Knows of no scene and no ball.
 //!
 //! The layout is that of `plotters`; what is written is ours: text that can be searched, coordinates to a
 //! tenth of a pixel, a cloud of points in one path. The same data give the same bytes.
@@ -24,6 +24,7 @@ mod legend;
 mod marker;
 mod panel;
 mod paper;
+mod png;
 mod scale;
 mod series;
 mod span;
