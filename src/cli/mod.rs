@@ -20,6 +20,7 @@ mod exit;
 mod failure;
 mod files;
 mod golden;
+mod guide;
 mod jsonrpc;
 mod lsp;
 mod man;

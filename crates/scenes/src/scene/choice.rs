@@ -3,7 +3,7 @@
 use super::document::Value;
 use super::error::SceneError;
 use super::harmonics::driven;
-use super::key::{self, Key, allowed_number};
+use super::key::{self, Allowed, Key};
 use super::{Over, Quantity, Scene};
 use dynamics::model::{DeviceError, Motion};
 use dynamics::orbit::{Choice, Devices, Gap, Pull, Range, Unit, Word};
@@ -52,10 +52,10 @@ impl Scene {
             return Ok(None);
         };
         let Value::List(ends) = &entry.value else {
-            return Err(self.wrong(key, entry, RANGE.to_owned()));
+            return Err(self.wrong(key, entry, Allowed::Range.in_words()));
         };
         let [low, high] = ends.as_slice() else {
-            return Err(self.wrong(key, entry, RANGE.to_owned()));
+            return Err(self.wrong(key, entry, Allowed::Range.in_words()));
         };
         let over = Over::ALL.into_iter().find(|over| over.box_key() == Some(key));
         let end = |end| {
@@ -63,7 +63,7 @@ impl Scene {
             if over.is_some_and(is_restitution) && value.sign() == Ordering::Equal {
                 return Err(self.wrong(key, end, ABOVE_0.to_owned()));
             }
-            match over.and_then(|over| Some((over, allowed_number(over.key().allowed, &value)?))) {
+            match over.and_then(|over| Some((over, over.key().allowed.instead_of(&value)?))) {
                 Some((over, allowed)) => Err(self.wrong(key, end, format!("{allowed}, as {over} is"))),
                 None => Ok(value),
             }
@@ -189,6 +189,3 @@ impl Scene {
         motion.map_err(|error| self.error(None, error))
     }
 }
-
-/// What a range of a box is.
-const RANGE: &str = "a list of two numbers, the lower one first, as in [0.1, 0.5]";

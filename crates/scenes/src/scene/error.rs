@@ -84,7 +84,7 @@ pub enum SceneProblem {
         /// The key with its section.
         key: String,
         /// What it is.
-        meaning: &'static str,
+        meaning: String,
         /// Whether its section is there.
         where_to: String,
     },

@@ -49,7 +49,7 @@ impl Scene {
                     "{} = {}: {}, for {}",
                     key.path(),
                     self.default_of(key)?,
-                    key.meaning,
+                    key.described(),
                     list(wants)
                 ))
             })
@@ -85,12 +85,12 @@ impl Scene {
         Some(format!(
             "{} = {shown} ({origin}): {}, for {}",
             key.path(),
-            key.meaning,
+            key.described(),
             list(wants)
         ))
     }
 
-    fn default_of(&self, key: &'static Key) -> Result<String, SceneError> {
+    pub(super) fn default_of(&self, key: &'static Key) -> Result<String, SceneError> {
         Ok(match key {
             key if *key == key::WORDS => self.words()?.iter().map(Word::to_string).collect::<Vec<_>>().join(", "),
             key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),

@@ -31,6 +31,7 @@ mod pace;
 mod plane;
 mod points;
 mod quantity;
+mod reference;
 #[allow(clippy::module_inception)]
 mod scene;
 mod setting;
@@ -49,6 +50,7 @@ pub use need::Note;
 pub use plane::Plane;
 pub use points::{MapPoint, MapPoints, Point, Points};
 pub use quantity::{Quantity, QuantityError};
+pub use reference::{KeyDescription, described_keys};
 pub use scene::Scene;
 pub use setting::Setting;
 pub use start::Start;

@@ -369,7 +369,7 @@ impl Scene {
         {
             let others: Vec<String> = others
                 .iter()
-                .map(|key| format!("{} ({})", key.path(), key.meaning))
+                .map(|key| format!("{} ({})", key.path(), key.described()))
                 .collect();
             where_to.push_str(&format!("; and {}", others.join(", ")));
         }

@@ -3,7 +3,7 @@
 use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
 use super::harmonics::{Harmonics, driven};
-use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys, allowed_number, one_of};
+use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys, one_of};
 use super::sweep::{Begin, Diagram, Extent, Map, MapWant, Over, Spaced, StartGrid, Sweep};
 use super::{Quantity, Start, Want};
 use dynamics::model::{Device, Membrane, MembraneError, Motion, Scales, Side, gravity_component};
@@ -182,7 +182,7 @@ impl Scene {
 
     /// Returns true if there is a wall at the top.
     pub(super) fn has_top(&self) -> Result<bool, SceneError> {
-        Ok(self.one_of_known(&key::WALLS, &["both", "bottom"])? == "both")
+        Ok(self.one_of_known(&key::WALLS)? == "both")
     }
 
     /// The forcing where `[forcing]` gives it; else it is cos(pi t).
@@ -219,7 +219,7 @@ impl Scene {
         let Some(&(over, value)) = swept.iter().find(|(over, _)| over.takes(key)) else {
             return Ok(self.number(key)?.value());
         };
-        if allowed_number(key.allowed, value).is_some() {
+        if key.allowed.instead_of(value).is_some() {
             let found = value.to_string();
             return Err(self.error(None, SceneProblem::Swept { over, found }));
         }
@@ -307,7 +307,7 @@ impl Scene {
 
     /// The wall of the first impact.
     pub(super) fn start_side(&self) -> Result<Side, SceneError> {
-        match self.one_of_known(&key::SIDE, &["bottom", "top"])? {
+        match self.one_of_known(&key::SIDE)? {
             "top" if self.has_top()? => Ok(Side::Top),
             "top" => {
                 let allowed = "bottom: motion.walls leaves no other".to_owned();
@@ -410,18 +410,12 @@ impl Scene {
             let allowed = format!("at least {}, {impacts}", keys.impacts.path());
             return Err(self.wrong(keys.most_impacts, entry, allowed));
         }
-        let start = match self.document.get(keys.begin) {
-            None => Begin::Each,
-            Some(entry) => {
-                let name = self.text(keys.begin, entry)?;
-                let begin = Begin::ALL.into_iter().find(|begin| begin.name() == name);
-                begin.ok_or_else(|| self.wrong(keys.begin, entry, one_of(name, &Begin::ALL.map(Begin::name))))?
-            }
-        };
+        let name = self.one_of_known(keys.begin)?;
+        let start = Begin::ALL.into_iter().find(|begin| begin.name() == name);
         Ok(Diagram {
             impacts,
             keep,
-            start,
+            start: start.unwrap_or(Begin::Each),
             error,
             most_impacts,
             options: self.options()?,
@@ -618,7 +612,7 @@ impl Scene {
 
     fn end(&self, end: &'static Key, over: Over) -> Result<Quantity, SceneError> {
         let value = self.number(end)?;
-        match allowed_number(over.key().allowed, &value) {
+        match over.key().allowed.instead_of(&value) {
             None => Ok(value),
             Some(allowed) => Err(self.wrong(end, self.require(end, None)?, format!("{allowed}, as {over} is"))),
         }

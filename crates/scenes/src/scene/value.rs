@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Value};
 use super::error::{SceneError, SceneProblem};
-use super::key::{self, Allowed, Key, allowed_number};
+use super::key::{self, Allowed, Key};
 use super::{Quantity, QuantityError, Scene, Want};
 
 impl Scene {
@@ -18,7 +18,7 @@ impl Scene {
             let problem = SceneProblem::Missing {
                 by,
                 key: key.path(),
-                meaning: key.meaning,
+                meaning: key.described(),
                 where_to,
             };
             self.error(section.cloned(), problem)
@@ -31,9 +31,8 @@ impl Scene {
             return Ok(());
         };
         match key.allowed {
-            Allowed::Text if *key == key::WALLS => drop(self.has_top()?),
-            Allowed::Text if *key == key::SIDE => drop(self.start_side()?),
-            Allowed::Text => drop(self.text(key, entry)?),
+            Allowed::OneOf(_) => drop(self.one_of_known(key)?),
+            Allowed::Text | Allowed::Parameter => drop(self.text(key, entry)?),
             Allowed::Names if *key == key::WORDS => drop(self.words()?),
             Allowed::Names if *key == key::MAP_WANT => drop(self.wants_of_map()?),
             Allowed::Names => drop(self.want()?),
@@ -57,13 +56,13 @@ impl Scene {
             return Err(self.wrong(key, entry, QuantityError::NoNumber.to_string()));
         };
         let told = |error: QuantityError| match error {
-            QuantityError::NoNumber => format!("{error}; it is {}", key.meaning),
+            QuantityError::NoNumber => format!("{error}; it is {}", key.described()),
             error => error.to_string(),
         };
         let value = Quantity::read(typed).map_err(|error| self.wrong(key, entry, told(error)))?;
-        match allowed_number(key.allowed, &value) {
+        match key.allowed.instead_of(&value) {
             None => Ok(value),
-            Some(allowed) => Err(self.wrong(key, entry, allowed.to_string())),
+            Some(allowed) => Err(self.wrong(key, entry, allowed)),
         }
     }
 
@@ -74,12 +73,15 @@ impl Scene {
         };
         match &entry.value {
             Value::List(list) => list.iter().map(|item| self.number_in(key, item)).collect(),
-            _ => Err(self.wrong(key, entry, "a list of numbers, as in [1.0, 0.0, 0.3]".to_owned())),
+            _ => Err(self.wrong(key, entry, key.allowed.in_words())),
         }
     }
 
-    /// The text of a key, one of those known; the first where it is not given.
-    pub(super) fn one_of_known<'a>(&self, key: &'static Key, known: &[&'a str]) -> Result<&'a str, SceneError> {
+    /// The text of a key, one of those that it may have; the first where it is not given.
+    pub(super) fn one_of_known(&self, key: &'static Key) -> Result<&'static str, SceneError> {
+        let Allowed::OneOf(known) = key.allowed else {
+            return Ok("");
+        };
         let Some(entry) = self.document.get(key) else {
             return Ok(known[0]);
         };
@@ -109,13 +111,13 @@ impl Scene {
         };
         number
             .filter(|number| (1..=most).contains(number))
-            .ok_or_else(|| self.wrong(key, entry, format!("an integer from 1 to {most}")))
+            .ok_or_else(|| self.wrong(key, entry, key.allowed.in_words()))
     }
 
     pub(super) fn text<'a>(&self, key: &'static Key, entry: &'a Entry) -> Result<&'a str, SceneError> {
         match &entry.value {
             Value::Text(text) => Ok(text),
-            _ => Err(self.wrong(key, entry, "text between quotes".to_string())),
+            _ => Err(self.wrong(key, entry, Allowed::Text.in_words())),
         }
     }
 
@@ -131,7 +133,7 @@ impl Scene {
         list.into_iter()
             .map(|item| match &item.value {
                 Value::Text(text) => Ok((text.as_str(), item)),
-                _ => Err(self.wrong(key, item, "a list of texts, as in [\"…\", \"…\"]".to_string())),
+                _ => Err(self.wrong(key, item, key.allowed.in_words())),
             })
             .collect()
     }
