@@ -42,7 +42,7 @@ fn panel(approach: &Approach, rows: &[&CurveRow]) -> Panel {
         false => Ticks::FallingPowers,
     };
     let mut panel = Panel::new(
-        Axis::new(approach.distance).with_ticks(ticks),
+        Axis::new(with_symbols(approach.distance)).with_ticks(ticks),
         Axis::new("correct digits"),
     );
     let mut formulas: Vec<&str> = rows.iter().map(|row| row.row.formula.as_str()).collect();
@@ -79,6 +79,16 @@ fn panel(approach: &Approach, rows: &[&CurveRow]) -> Panel {
     panel
 }
 
+/// Marks the letters that stand alone as symbols.
+fn with_symbols(text: &str) -> String {
+    let is_symbol = |word: &str| word.chars().count() == 1 && word.chars().all(char::is_alphabetic);
+    let words = text.split(' ').map(|word| match is_symbol(word.trim_matches('|')) {
+        true => format!("${word}$"),
+        false => word.to_owned(),
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
 /// At each distance the fewest digits.
 fn fewest(approach: &Approach, found: impl Iterator<Item = (f64, f64)>) -> Vec<Point> {
     let mut points: Vec<Point> = found
@@ -106,6 +116,11 @@ mod tests {
         for text in ["double-double printed", "f64 stable", "f64 allowed", ">5</tspan>"] {
             assert!(svg.contains(text), "{text}");
         }
+    }
+
+    #[test]
+    fn letters_alone_are_symbols() {
+        assert_eq!(with_symbols("1 - |g| of d (that is)"), "1 - $|g|$ of $d$ (that is)");
     }
 
     #[test]

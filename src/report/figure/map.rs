@@ -232,7 +232,7 @@ mod tests {
         let bar = scaled.bar.expect("a bar of colours");
         assert_eq!(
             (bar.label.as_str(), bar.ends, bar.colours.len()),
-            ("rate  [V]", (1.0, 9.0), 8)
+            ("rate  [V]", (1.0, 9.0), 16)
         );
         let panel = map(layer).panel(&Layer::Words {
             name: "word".to_owned(),
@@ -259,7 +259,7 @@ mod tests {
     fn a_value_at_an_edge_is_in_the_step_above_and_the_largest_in_the_last() {
         let values: Vec<f64> = (0..=80).map(f64::from).collect();
         let classes = by_step(&round_edges(&values), &values);
-        assert!(classes[7].2[80] && classes[0].2[0] && classes[1].2[10] && !classes[0].2[10]);
+        assert!(classes[15].2[80] && classes[0].2[0] && classes[2].2[10] && !classes[1].2[10]);
         assert!(by_step(&round_edges(&[f64::NAN]), &[f64::NAN]).is_empty());
     }
 

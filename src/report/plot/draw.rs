@@ -37,8 +37,8 @@ const BAR_APART: f64 = 12.0;
 const BAR: f64 = 14.0;
 const BAR_BESIDE: f64 = 30.0;
 /// Pixels for each tick.
-const X_ROOM: f64 = 60.0;
-const Y_ROOM: f64 = 36.0;
+const X_ROOM: f64 = 50.0;
+const Y_ROOM: f64 = 32.0;
 /// Tenths of a pixel.
 const DOT: i32 = 30;
 /// A label so near to a mark would be taken for its own.

@@ -121,7 +121,7 @@ fn powers(span: &Span, most: usize, sign: f64) -> Vec<Tick> {
     let (factor, power) = round_step((span.length() / most.max(1) as f64).max(1.0));
     let step = factor * decimal(1.0, power);
     let whole: Vec<f64> = multiples(span, step).map(|number| number * step).collect();
-    if whole.len() > 2 {
+    if whole.len() > 2 || span.length() > DECADES {
         let text = |at: f64| signed(&format!("$10^{}$", sign * at + 0.0));
         return whole.into_iter().map(|at| (at, text(at))).collect();
     }
@@ -137,8 +137,11 @@ fn powers(span: &Span, most: usize, sign: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// The steps of a scale of colours, about.
-const STEPS: f64 = 12.0;
+/// Over more powers of ten only these have ticks.
+const DECADES: f64 = 2.5;
+
+/// The most steps of a scale of colours; there are 10 or more.
+const STEPS: f64 = 24.0;
 
 /// Returns the edges of equal steps of a round length over all finite values, so that 0 between them is one.
 pub fn round_edges(values: &[f64]) -> Vec<f64> {
@@ -154,7 +157,7 @@ pub fn round_edges(values: &[f64]) -> Vec<f64> {
     let step = factor * decimal(1.0, power);
     // within a rounding of an edge is at it
     let (first, last) = ((span.low() / step + 1e-9).floor(), (span.high() / step - 1e-9).ceil());
-    let count = (last - first).clamp(1.0, 2.0 * STEPS) as u32;
+    let count = (last - first).clamp(1.0, STEPS + 2.0) as u32;
     (0..=count)
         .map(|number| decimal((first + f64::from(number)) * factor, power))
         .collect()
@@ -203,6 +206,11 @@ mod tests {
             texts(Ticks::FallingPowers, 0.0, 14.2, 4),
             ["$10^0$", "$10^\u{2212}5$", "$10^\u{2212}10$"]
         );
+        // steps of five powers, of which only two lie within
+        assert_eq!(
+            texts(Ticks::FallingPowers, 0.5, 14.5, 5),
+            ["$10^\u{2212}5$", "$10^\u{2212}10$"]
+        );
         assert_eq!(texts(Ticks::Powers, 0.0, 1.75, 7), ["1", "2", "5", "10", "20", "50"]);
         assert_eq!(
             texts(Ticks::FallingPowers, 1.0, 2.0, 7),
@@ -242,11 +250,11 @@ mod tests {
     #[test]
     fn steps_of_colours_are_round_and_zero_is_an_edge() {
         let edges = round_edges(&[0.0, 80.0]);
-        assert_eq!(edges, [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0]);
+        assert!(edges.len() == 17 && edges[1] == 5.0 && edges[16] == 80.0, "{edges:?}");
         let edges = round_edges(&[-3.1, f64::NEG_INFINITY, f64::NAN, 1.0]);
-        assert_eq!((edges[0], edges[edges.len() - 1]), (-3.5, 1.0));
+        assert_eq!((edges[0], edges[edges.len() - 1]), (-3.2, 1.0));
         assert!(edges.contains(&0.0));
-        assert_eq!(round_edges(&[46.2, 144.0]).len(), 11);
+        assert_eq!(round_edges(&[46.2, 144.0]).len(), 21);
         assert!(round_edges(&[f64::NAN]).is_empty());
         for alone in [0.0, 2.0, -1e-300, 1e300] {
             let edges = round_edges(&[alone, alone]);
