@@ -24,6 +24,8 @@ pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
     for font in FONTS {
         options.fontdb_mut().load_font_data(font.to_vec());
     }
+    // text whose family is not there would be left out without a word
+    options.fontdb_mut().set_sans_serif_family("DejaVu Sans");
     let tree = Tree::from_str(svg, &options).map_err(|error| failed(error.to_string()))?;
     let missing = missing(tree.root());
     if !missing.is_empty() {
