@@ -1,6 +1,6 @@
 //! The keys a scene may have: one table of names, ranges and meanings.
 
-use super::{Over, Quantity};
+use super::{MapWant, Over, Quantity, Want};
 use std::cmp::Ordering;
 use texmath::nearest;
 
@@ -332,6 +332,24 @@ impl Key {
         match self.unit {
             "" => self.meaning.to_owned(),
             unit => format!("{}, {unit}", self.meaning),
+        }
+    }
+
+    /// What it is, with its unit or the texts that it may have.
+    pub fn asked(&self) -> String {
+        match self.allowed {
+            Allowed::Names | Allowed::OneOf(_) | Allowed::Parameter => format!("{}: {}", self.meaning, self.range()),
+            _ => self.described(),
+        }
+    }
+
+    /// Which values it may have, in words.
+    pub fn range(&self) -> String {
+        match (self.allowed, self.section, self.name) {
+            (Allowed::Names, "", "want") => format!("some of {}", Want::ALL.map(Want::name).join(", ")),
+            (Allowed::Names, "map", "want") => format!("some of {}", MapWant::ALL.map(MapWant::name).join(", ")),
+            (Allowed::Names, ..) => "words of B and T, one or a list".to_owned(),
+            (allowed, ..) => allowed.in_words(),
         }
     }
 

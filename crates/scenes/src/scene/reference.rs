@@ -1,7 +1,7 @@
 //! Every key of a scene for a reader: what it is, its unit, range, default and an example.
 
-use super::key::{self, Allowed, Key};
-use super::{MapWant, Scene, SceneError, Want};
+use super::key::{self, Key};
+use super::{Scene, SceneError, Want};
 
 /// What a reader is told of a key.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,21 +70,12 @@ pub fn described_keys() -> Result<Vec<KeyDescription>, SceneError> {
             name: key.name,
             meaning: key.meaning,
             unit: key.unit,
-            range: range(key),
+            range: key.range(),
             default,
             example: key.example,
         })
     };
     key::KEYS.iter().map(described).collect()
-}
-
-fn range(key: &Key) -> String {
-    match key.allowed {
-        Allowed::Names if *key == key::WANT => format!("some of {}", Want::ALL.map(Want::name).join(", ")),
-        Allowed::Names if *key == key::MAP_WANT => format!("some of {}", MapWant::ALL.map(MapWant::name).join(", ")),
-        Allowed::Names => "words of B and T, one or a list".to_owned(),
-        allowed => allowed.in_words(),
-    }
 }
 
 #[cfg(test)]

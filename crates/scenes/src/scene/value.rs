@@ -18,7 +18,7 @@ impl Scene {
             let problem = SceneProblem::Missing {
                 by,
                 key: key.path(),
-                meaning: key.described(),
+                meaning: key.asked(),
                 where_to,
             };
             self.error(section.cloned(), problem)
