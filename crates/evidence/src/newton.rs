@@ -66,7 +66,7 @@ impl System {
     ) -> Vec<Vec<f64>> {
         let parts = if N::COMPLEX { 2 } else { 1 };
         let mut rows = vec![vec![0.0; unknowns.len()]; program.outputs.len() * parts];
-        let mut lifted: Vec<N::Of<Gradient<LANES>>> = values.iter().map(lift::<N, Gradient<LANES>>).collect();
+        let mut lifted: Vec<N::Of<Gradient<f64, LANES>>> = values.iter().map(lift::<N, Gradient<f64, LANES>>).collect();
         for (chunk, some) in unknowns.chunks(LANES).enumerate() {
             for (lane, unknown) in some.iter().enumerate() {
                 if let Some(value) = lifted.get_mut(unknown.slot) {
@@ -74,7 +74,7 @@ impl System {
                     let part = if unknown.imaginary { &mut im } else { &mut re };
                     // Both parts of one slot may be seeded: each keeps the lane that it has.
                     *part += Gradient::from_re(0.0).derivative(lane);
-                    *value = N::Of::<Gradient<LANES>>::new(re, im);
+                    *value = N::Of::<Gradient<f64, LANES>>::new(re, im);
                 }
             }
             let found = program.outputs(&program.run(&self.inputs(&lifted, None)));
@@ -90,7 +90,7 @@ impl System {
             }
             for unknown in some {
                 if let (Some(value), Some(known)) = (lifted.get_mut(unknown.slot), values.get(unknown.slot)) {
-                    *value = lift::<N, Gradient<LANES>>(known);
+                    *value = lift::<N, Gradient<f64, LANES>>(known);
                 }
             }
         }

@@ -13,8 +13,60 @@ use std::fmt;
 /// number has at most 100 digits and is 0 or between 1e-100 and 1e100 in size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    plain: Rational,
-    turns: Rational,
+    plain: Exactly,
+    turns: Exactly,
+}
+
+/// A rational, and its value as f64 knows it, so that it costs little to evaluate again.
+#[derive(Clone, Debug)]
+struct Exactly {
+    value: Rational,
+    /// The nearest f64.
+    nearest: f64,
+    /// The nearest f64 to what that lacks, and a bound on what both together lack.
+    rest: [f64; 2],
+}
+
+impl PartialEq for Exactly {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl Eq for Exactly {}
+
+impl From<Rational> for Exactly {
+    fn from(value: Rational) -> Self {
+        let nearest = value.0.to_f64().value();
+        let lacking = RBig::try_from(nearest).map_or(0.0, |near| (&value.0 - near).to_f64().value());
+        let slack = (lacking.abs() * f64::EPSILON).next_up();
+        let rest = if lacking == 0.0 { [0.0; 2] } else { [lacking, slack] };
+        Self { value, nearest, rest }
+    }
+}
+
+impl Exactly {
+    /// The value over `T`: the nearest f64, and what it lacks. One division of large integers would round three times.
+    fn over<T: Analytic>(&self) -> T {
+        let [lacking, slack] = self.rest;
+        if lacking == 0.0 {
+            // nothing to add: an interval stays a point, and a restitution of 1 stays 1
+            return T::from_f64(self.nearest);
+        }
+        if T::epsilon().to_f64() > SHORT {
+            return T::from_f64(self.nearest) + (T::from_f64(lacking) + T::from_f64(slack) * T::unit());
+        }
+        let lacking = RBig::try_from(self.nearest).map(|near| Rational(&self.value.0 - near));
+        let lacking = lacking.ok().and_then(|lacking| lacking.embed::<T>());
+        match lacking.filter(|lacking| lacking.to_f64().is_finite()) {
+            Some(lacking) => T::from_f64(self.nearest) + lacking,
+            None => self.value.embed::<T>().unwrap_or_else(|| T::from_f64(self.nearest)),
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
 }
 
 /// Text that is no [`Quantity`]; says what is allowed.
@@ -36,6 +88,9 @@ const MOST_DIGITS: usize = 100;
 
 /// The largest power of ten a number may have.
 const LARGEST_EXPONENT: usize = 100;
+
+/// Of numbers with a larger epsilon two f64 give every digit.
+const SHORT: f64 = 1e-17;
 
 /// Digits in which a sum of both parts is compared with 0: more than a typed number can cancel by accident.
 const COMPARED: usize = 250;
@@ -81,24 +136,26 @@ impl Quantity {
         } else {
             (value, Rational::zero())
         };
-        Ok(Self { plain, turns })
+        Ok(Self::new(plain, turns))
+    }
+
+    fn new(plain: Rational, turns: Rational) -> Self {
+        let [plain, turns] = [plain, turns].map(Exactly::from);
+        Self { plain, turns }
     }
 
     /// The integer `value`.
     pub fn integer(value: i64) -> Self {
-        Self {
-            plain: Rational(RBig::from(value)),
-            turns: Rational::zero(),
-        }
+        Self::new(Rational(RBig::from(value)), Rational::zero())
     }
 
     /// The value over `T`: in f64 the nearest number to the rational part, else to a few roundings of `T`.
     pub fn value<T: Analytic>(&self) -> T {
-        let plain = embed(&self.plain);
+        let plain = self.plain.over();
         if self.turns.is_zero() {
             return plain;
         }
-        let turns = embed::<T>(&self.turns) * T::pi();
+        let turns = self.turns.over::<T>() * T::pi();
         if self.plain.is_zero() { turns } else { plain + turns }
     }
 
@@ -118,16 +175,16 @@ impl Quantity {
 
     /// The rational, where pi has no part in it.
     pub fn rational(&self) -> Option<&Rational> {
-        self.turns.is_zero().then_some(&self.plain)
+        self.turns.is_zero().then_some(&self.plain.value)
     }
 
     /// How the number compares with 0. Exact for every number that is typed.
     pub fn sign(&self) -> Ordering {
         let zero = Rational::zero();
         if self.turns.is_zero() {
-            self.plain.cmp(&zero)
+            self.plain.value.cmp(&zero)
         } else if self.plain.is_zero() {
-            self.turns.cmp(&zero)
+            self.turns.value.cmp(&zero)
         } else {
             let value = self.value::<Wide<COMPARED>>();
             value.partial_cmp(&Wide::zero()).unwrap_or(Ordering::Equal)
@@ -136,47 +193,32 @@ impl Quantity {
 
     /// How the number compares with another. Exact for every number that is typed.
     pub fn compared_with(&self, other: &Self) -> Ordering {
-        let plain = self.plain.clone() - other.plain.clone();
-        let turns = self.turns.clone() - other.turns.clone();
-        Self { plain, turns }.sign()
+        let plain = self.plain.value.clone() - other.plain.value.clone();
+        let turns = self.turns.value.clone() - other.turns.value.clone();
+        Self::new(plain, turns).sign()
     }
 
     /// How the number compares with 1.
     pub fn compared_with_one(&self) -> Ordering {
-        let plain = self.plain.clone() - Rational::one();
-        let turns = self.turns.clone();
-        Self { plain, turns }.sign()
+        let plain = self.plain.value.clone() - Rational::one();
+        Self::new(plain, self.turns.value.clone()).sign()
     }
 
     /// The point at `part` of `whole` of the way from `self` to `to`; `self` where `whole` is 0. Exact.
     pub fn towards(&self, to: &Self, part: u32, whole: u32) -> Self {
         let share = Rational::new(i64::from(part), i64::from(whole)).unwrap_or_else(Rational::zero);
-        let between = |from: &Rational, to: &Rational| {
+        let between = |from: &Exactly, to: &Exactly| {
             if from == to {
                 // the turns, as a rule, which are 0 at both ends: rationals are slow beside an impact
                 return from.clone();
             }
-            from.clone() + (to.clone() - from.clone()) * share.clone()
+            let (from, to) = (from.value.clone(), to.value.clone());
+            Exactly::from(from.clone() + (to - from) * share.clone())
         };
         Self {
             plain: between(&self.plain, &to.plain),
             turns: between(&self.turns, &to.turns),
         }
-    }
-}
-
-/// `value` over `T`: the nearest f64, and what it lacks. One division of large integers would round three times.
-fn embed<T: Analytic>(value: &Rational) -> T {
-    let nearest = value.0.to_f64().value();
-    let lacking = RBig::try_from(nearest).map(|near| Rational(&value.0 - near));
-    if lacking.as_ref().is_ok_and(Zero::is_zero) {
-        // nothing to add: an interval stays a point, and a restitution of 1 stays 1
-        return T::from_f64(nearest);
-    }
-    let lacking = lacking.ok().and_then(|lacking| lacking.embed::<T>());
-    match lacking.filter(|lacking| lacking.to_f64().is_finite()) {
-        Some(lacking) => T::from_f64(nearest) + lacking,
-        None => value.embed::<T>().unwrap_or_else(|| T::from_f64(nearest)),
     }
 }
 
@@ -223,11 +265,11 @@ fn unsigned(text: &str) -> Result<Rational, QuantityError> {
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.turns.is_zero() {
-            return write_plain(&self.plain, f);
+            return write_plain(&self.plain.value, f);
         }
-        let mut turns = self.turns.clone();
+        let mut turns = self.turns.value.clone();
         if !self.plain.is_zero() {
-            write_plain(&self.plain, f)?;
+            write_plain(&self.plain.value, f)?;
             f.write_str(if turns < Rational::zero() { " - " } else { " + " })?;
             if turns < Rational::zero() {
                 turns = -turns;
@@ -273,6 +315,27 @@ mod tests {
         }
         let tenth = Quantity::read("0.1").unwrap().value::<Interval<f64>>();
         assert!(tenth.low() < tenth.high());
+    }
+
+    #[test]
+    fn enclosures_from_two_f64_hold_the_exact_value_and_are_as_narrow_as_those_from_the_rational() {
+        use numbers::{DoubleDouble, Interval};
+        let mut sequence = numbers::Sequence::new(19);
+        for _ in 0..2000 {
+            let size = sequence.between(-90.0, 90.0) as i32;
+            let text = format!("{}e{size}", sequence.between(-10.0, 10.0) as f32);
+            let exact = read(&text);
+            let near = exact.value::<Interval<f64>>();
+            let wide = exact.value::<Wide<60>>();
+            let (low, high) = (Wide::from_f64(near.low()), Wide::from_f64(near.high()));
+            assert!(low <= wide && wide <= high, "{text}: {near}");
+            let Exactly { value, nearest, .. } = &exact.plain;
+            let lacking = Rational(&value.0 - RBig::try_from(*nearest).unwrap()).embed::<Interval<f64>>();
+            let by_rational = Interval::from_f64(*nearest) + lacking.unwrap();
+            assert!(near.width() <= by_rational.width(), "{text}: {near}, {by_rational}");
+            let fine = exact.value::<Interval<DoubleDouble>>();
+            assert!(near.low() <= fine.low().to_f64() && fine.high().to_f64() <= near.high());
+        }
     }
 
     #[test]

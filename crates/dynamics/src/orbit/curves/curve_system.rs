@@ -140,7 +140,8 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
         let motion = self.motion(&at[PLACES])?;
         let balance = OneOneEquations::new(&motion, self.periods);
         let (t_1, middle) = (&at[0], &at[1]);
-        let [first, second] = balance.residual(t_1, middle);
+        let shared = balance.parts(t_1, middle);
+        let [first, second] = balance.residual_at(&shared);
         let mut values = if self.is_symmetric() {
             // one of the two vanishes on the whole line
             vec![first + second, t_1.clone() - T::from_integer(i64::from(self.periods))]
@@ -151,18 +152,18 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
         for condition in &self.conditions {
             match condition {
                 CurveCondition::Bifurcation(condition @ BifurcationCondition::Touch(..)) => {
-                    values.extend(condition_excess(*condition, &balance, [t_1, middle], after.next()?));
+                    values.extend(condition_excess(*condition, &balance, &shared, after.next()?));
                 }
                 CurveCondition::Bifurcation(condition) => {
-                    let [excess, _] = condition_excess(*condition, &balance, [t_1, middle], t_1);
+                    let [excess, _] = condition_excess(*condition, &balance, &shared, t_1);
                     values.push(excess);
                 }
                 CurveCondition::SymmetryBreaking => {
-                    let [[a, b], [c, d]] = balance.linearised(t_1, middle).1;
+                    let [[a, b], [c, d]] = balance.slopes_at(&shared);
                     values.push(a * d - b * c);
                 }
                 CurveCondition::SymmetricFold => {
-                    let [[_, first], [_, second]] = balance.linearised(t_1, middle).1;
+                    let [[_, first], [_, second]] = balance.slopes_at(&shared);
                     values.push(first + second);
                 }
                 CurveCondition::Cusp(weights) => values.push(self.cusp(&motion, [t_1, middle], *weights)?),
@@ -176,7 +177,10 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
                     let phase = &balance.phases(t_1, middle)[*impact];
                     values.push(phase.sincos().1 + motion.g().clone());
                 }
-                CurveCondition::TouchPush => values.push(self.touch_push(&balance, at)?),
+                CurveCondition::TouchPush => {
+                    let seen = FlightFromImpact::new(&balance, self.touch()?, &shared);
+                    values.push(seen.acceleration(&at[TOUCH]));
+                }
                 CurveCondition::Place(coordinate, place) => {
                     values.push(at[*coordinate].clone() - <T as Analytic>::from_f64(*place));
                 }
@@ -189,12 +193,6 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
             }
         }
         Some(values)
-    }
-
-    /// f + g at the first touch.
-    fn touch_push<T: Analytic>(&self, balance: &OneOneEquations<T>, at: &[T]) -> Option<T> {
-        let seen = FlightFromImpact::new(balance, self.touch()?, [&at[0], &at[1]]);
-        Some(seen.acceleration(&at[TOUCH]))
     }
 
     /// The flight and the wall of the touch that holds on the curve.
@@ -220,7 +218,7 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
         let lifted = motion.convert(|value| Dual::from_re(value.clone())).ok()?;
         let balance = OneOneEquations::new(&lifted, self.periods);
         let along = [Dual::new(t_1.clone(), -by_psi), Dual::new(middle.clone(), by_t)];
-        let [excess, _] = condition_excess(*condition, &balance, [&along[0], &along[1]], &along[0]);
+        let [excess, _] = condition_excess(*condition, &balance, &balance.parts(&along[0], &along[1]), &along[0]);
         Some(excess.eps)
     }
 

@@ -54,6 +54,8 @@ pub struct OneOneEquations<T> {
 /// What every equation needs of T_1 and psi.
 pub struct SharedTerms<T> {
     t_1: T,
+    /// psi
+    phase: T,
     t_2: T,
     /// sin h, cos h
     half: (T, T),
@@ -126,13 +128,14 @@ impl<T: Analytic> OneOneEquations<T> {
     pub fn parts(&self, t_1: &T, middle: &T) -> SharedTerms<T> {
         let t_2 = self.total() - t_1.clone();
         let half = (self.quarter.clone() * t_1.clone()).sincos();
-        let middle = middle.sincos();
+        let (phase, middle) = (middle.clone(), middle.sincos());
         let kappa = t_1.clone() * half.1.clone() - self.two_over_pi.clone() * half.0.clone();
         let drift = self.two_over_pi.clone() * kappa.clone() * middle.0.clone();
         let a = self.d.clone() + self.d.clone() - drift;
         let k = self.scale.clone() * t_1.clone() - self.mirror.clone() * t_2.clone();
         SharedTerms {
             t_1: t_1.clone(),
+            phase,
             t_2,
             half,
             middle,
@@ -224,14 +227,24 @@ impl<T: Analytic> OneOneEquations<T> {
 
     /// [v, w]: the velocities just before the impacts at the bottom and at the top. `t_1` must not contain 0.
     pub fn velocities(&self, t_1: &T, middle: &T) -> [T; 2] {
-        let scale = self.scale.clone() * t_1.clone();
-        self.scaled_velocities(t_1, middle).map(|scaled| scaled / scale.clone())
+        self.velocities_at(&self.parts(t_1, middle))
+    }
+
+    /// As [`OneOneEquations::velocities`].
+    pub fn velocities_at(&self, at: &SharedTerms<T>) -> [T; 2] {
+        let scale = self.scale.clone() * at.t_1.clone();
+        self.scaled_velocities_at(at).map(|scaled| scaled / scale.clone())
     }
 
     /// The phases of the forcing at the two impacts, not reduced.
     pub fn phases(&self, t_1: &T, middle: &T) -> [T; 2] {
         let half = T::pi() * t_1.clone() * T::from_ratio(1, 2);
         [middle.clone() - half.clone(), middle.clone() + half]
+    }
+
+    /// As [`OneOneEquations::phases`].
+    pub fn phases_at(&self, at: &SharedTerms<T>) -> [T; 2] {
+        self.phases(&at.t_1, &at.phase)
     }
 
     /// The two impacts, at the bottom and at the top. `t_1` must not contain 0.
@@ -260,8 +273,12 @@ impl<T: Analytic> OneOneEquations<T> {
     /// From (20), (21) and (18): Tr(DP) v w = (1 + r_B)(1 + r_T) f_0 f_1 T_1 T_2
     /// - 2 n [r_B (1 + r_T) f_1 v + r_T (1 + r_B) f_0 w] + 2 rho v w, where f_0 = f(t_k) + g, f_1 = f(t_{k+1}) + g.
     pub fn trace_above(&self, level: &T, t_1: &T, middle: &T) -> T {
-        let at = self.parts(t_1, middle);
-        let [v, w] = self.scaled_velocities_at(&at);
+        self.trace_above_at(level, &self.parts(t_1, middle))
+    }
+
+    /// As [`OneOneEquations::trace_above`].
+    pub fn trace_above_at(&self, level: &T, at: &SharedTerms<T>) -> T {
+        let [v, w] = self.scaled_velocities_at(at);
         let scale = self.scale.clone() * at.t_1.clone();
         let (even, odd) = (
             at.half.1.clone() * at.middle.1.clone(),

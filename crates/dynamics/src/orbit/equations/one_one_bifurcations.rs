@@ -3,8 +3,8 @@
 use crate::model::{MotionError, Side};
 use crate::orbit::equations::conditions::BifurcationCondition;
 use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
-use crate::orbit::equations::one_one::OneOneEquations;
-use crate::orbit::equations::square_system::SquareSystem;
+use crate::orbit::equations::one_one::{OneOneEquations, SharedTerms};
+use crate::orbit::equations::square_system::{Decision, SquareSystem, not_excluded};
 use crate::orbit::equations::touch::FlightFromImpact;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::IntervalBox;
@@ -52,20 +52,20 @@ pub struct HalvedOneOne<'a, F> {
 pub(crate) fn condition_excess<T: Analytic>(
     condition: BifurcationCondition,
     balance: &OneOneEquations<T>,
-    [t_1, middle]: [&T; 2],
+    at: &SharedTerms<T>,
     from_impact: &T,
 ) -> [T; 2] {
     match condition {
         BifurcationCondition::ZeroVelocity(impact) => {
-            let [v, w] = balance.scaled_velocities(t_1, middle);
+            let [v, w] = balance.scaled_velocities_at(at);
             [if impact == 0 { v } else { w }, T::zero()]
         }
         BifurcationCondition::Touch(flight, wall) => {
-            FlightFromImpact::new(balance, (flight, wall), [t_1, middle]).touch_excess(from_impact)
+            FlightFromImpact::new(balance, (flight, wall), at).touch_excess(from_impact)
         }
         condition => {
             let level = condition.trace(&balance.loss_factor()).unwrap_or_else(T::zero);
-            [balance.trace_above(&level, t_1, middle), T::zero()]
+            [balance.trace_above_at(&level, at), T::zero()]
         }
     }
 }
@@ -78,8 +78,9 @@ impl<F: Family> ConditionedOneOne<'_, F> {
     pub fn equations<T: Analytic, const D: usize>(&self, at: &[T; D]) -> Result<[T; D], MotionError> {
         let [t_1, middle, parameter] = [&at[0], &at[1], &at[2]];
         let balance = OneOneEquations::new(&self.family.motion_at(parameter)?, self.periods);
-        let [first, second] = balance.residual(t_1, middle);
-        let [excess, velocity] = condition_excess(self.condition, &balance, [t_1, middle], &at[D - 1]);
+        let shared = balance.parts(t_1, middle);
+        let [first, second] = balance.residual_at(&shared);
+        let [excess, velocity] = condition_excess(self.condition, &balance, &shared, &at[D - 1]);
         let mut values = [first, second, excess, velocity].into_iter();
         Ok(std::array::from_fn(|_| values.next().unwrap_or_else(T::zero)))
     }
@@ -98,26 +99,52 @@ where
     }
 
     fn is_wanted(&self, cell: &IntervalBox<E, D>) -> bool {
+        self.wanted(cell).is_ok()
+    }
+
+    /// What costs least comes first, and all values share the sines of the box.
+    fn examined(&self, cell: &IntervalBox<E, D>) -> Result<[IntervalBox<E, D>; D], Decision> {
+        if let Some((balance, at)) = self.wanted(cell)? {
+            not_excluded(&balance.residual_at(&at))?;
+            let excess = condition_excess(self.condition, &balance, &at, &cell[D - 1]);
+            let excluding = excess.iter().position(|value| !value.contains_zero());
+            excluding.map_or(Ok(()), |equation| Err(Decision::Excluded(2 + equation)))?;
+        }
+        Ok(SquareSystem::<E, D>::linearised(self, cell).1)
+    }
+}
+
+/// The equations of the motions in a box, and what their values share.
+type Shared<E> = (OneOneEquations<Interval<E>>, SharedTerms<Interval<E>>);
+
+impl<F: Family> ConditionedOneOne<'_, F> {
+    /// The equations over a box in which something may be looked for; `None` where the parameter leaves its range.
+    fn wanted<E: Endpoint, const D: usize>(&self, cell: &IntervalBox<E, D>) -> Result<Option<Shared<E>>, Decision> {
         let rounded = |side: &Interval<E>| Interval::new(side.low().to_f64(), side.high().to_f64());
         let apart = |other: &IntervalBox<f64, 3>| {
             let mut sides = cell.iter().zip(other);
             sides.all(|(side, other)| rounded(side).is_subset(other))
         };
         if self.apart.iter().any(apart) {
-            return false;
+            return Err(Decision::Unwanted);
         }
         let Ok(motion) = self.family.motion_at(&cell[2]) else {
-            return true;
+            return Ok(None);
         };
         let balance = OneOneEquations::new(&motion, self.periods);
-        let [t_1, middle] = [&cell[0], &cell[1]];
-        balance.may_fly(t_1, &balance.scaled_velocities(t_1, middle))
+        let at = balance.parts(&cell[0], &cell[1]);
+        let is_wanted = balance.may_fly(&cell[0], &balance.scaled_velocities_at(&at))
             && match self.condition {
                 BifurcationCondition::Touch(flight, wall) => {
-                    may_touch(&balance, (flight, wall), [t_1, middle, &cell[D - 1]])
+                    may_touch(&balance, (flight, wall), &at, [&cell[0], &cell[D - 1]])
                 }
                 _ => true,
-            }
+            };
+        if is_wanted {
+            Ok(Some((balance, at)))
+        } else {
+            Err(Decision::Unwanted)
+        }
     }
 }
 
@@ -126,7 +153,8 @@ where
 fn may_touch<E: Endpoint>(
     balance: &OneOneEquations<Interval<E>>,
     (flight, wall): (usize, Side),
-    [t_1, middle, from_impact]: [&Interval<E>; 3],
+    at: &SharedTerms<Interval<E>>,
+    [t_1, from_impact]: [&Interval<E>; 2],
 ) -> bool {
     let lasts = if flight == 0 {
         t_1.clone()
@@ -136,7 +164,7 @@ fn may_touch<E: Endpoint>(
     if (lasts - from_impact.clone()).is_negative() || from_impact.is_negative() {
         return false;
     }
-    let seen = FlightFromImpact::new(balance, (flight, wall), [t_1, middle]);
+    let seen = FlightFromImpact::new(balance, (flight, wall), at);
     let until = Interval::zero().hull(from_impact);
     seen.acceleration(&until).contains_zero()
 }

@@ -11,7 +11,7 @@
 //! - 2 w' = g + j_0(x) cos m - j_1(x) sin m, with + j_1 in reversed time.
 
 use crate::model::Side;
-use crate::orbit::equations::one_one::OneOneEquations;
+use crate::orbit::equations::one_one::{OneOneEquations, SharedTerms};
 use numbers::Analytic;
 
 /// The motion of the ball close to an impact: after it, or in reversed time before it.
@@ -28,13 +28,13 @@ pub struct FlightFromImpact<T> {
 }
 
 impl<T: Analytic> FlightFromImpact<T> {
-    /// A flight of a 1-1 motion, seen from the impact of it at `wall`. `t_1` must not contain 0.
-    pub fn new(balance: &OneOneEquations<T>, (flight, wall): (usize, Side), [t_1, middle]: [&T; 2]) -> Self {
+    /// A flight of a 1-1 motion, seen from the impact of it at `wall`. T_1 must not contain 0.
+    pub fn new(balance: &OneOneEquations<T>, (flight, wall): (usize, Side), at: &SharedTerms<T>) -> Self {
         let impact = usize::from(wall == Side::Top);
-        let velocity = balance.velocities(t_1, middle)[impact].clone();
+        let velocity = balance.velocities_at(at)[impact].clone();
         let starts = impact == flight;
         Self {
-            phase: balance.phases(t_1, middle)[impact].clone(),
+            phase: balance.phases_at(at)[impact].clone(),
             launch: if starts {
                 -(balance.restitution(wall) * velocity)
             } else {
@@ -169,7 +169,7 @@ mod tests {
             let after = t_1 * sequence.between(0.1, 0.9);
             // flight 0 leaves the bottom and ends at the top for any T_1 and psi: (10) holds identically
             let flight = balance.flight(0, &t_1, &middle);
-            let seen = FlightFromImpact::new(&balance, (0, Side::Bottom), [&t_1, &middle]);
+            let seen = FlightFromImpact::new(&balance, (0, Side::Bottom), &balance.parts(&t_1, &middle));
             let [distance, velocity] = touch_excess(&flight, Side::Bottom, &after);
             let [first, second] = seen.touch_excess(&after);
             // the bottom is at the positive end: inwards is negative

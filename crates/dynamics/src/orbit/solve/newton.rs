@@ -1,9 +1,9 @@
 //! Newton's method, for any number of equations over any number type. It proposes: nothing is proved here.
 
-use crate::orbit::equations::duals::by_duals;
+use crate::orbit::equations::duals::{LANES, by_duals};
 use crate::orbit::interval_box::larger;
 use nalgebra::{SMatrix, SVector};
-use numbers::{Analytic, Dual};
+use numbers::{Analytic, Gradient};
 
 /// When Newton's method stops. The size of a step is that of its largest component, if not said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +62,7 @@ pub(crate) fn newton_sized<T: Analytic, P: AsMut<[T]>>(
 pub(crate) fn newton_by_duals<const D: usize>(
     start: [f64; D],
     ending: &Ending,
-    equations: impl Fn(&[Dual<f64>; D]) -> Option<[Dual<f64>; D]>,
+    equations: impl Fn(&[Gradient<f64, LANES>; D]) -> Option<[Gradient<f64, LANES>; D]>,
 ) -> Option<[f64; D]> {
     newton(start, ending, |point| {
         let (values, slopes) = by_duals(&equations, point)?;
