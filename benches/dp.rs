@@ -14,7 +14,7 @@ fn dp(criterion: &mut Criterion) {
     let pair = Pair::new(&motion, &forcing, &time, &velocity, [&durations[0], &durations[1]]);
     let mut group = criterion.benchmark_group("dp");
     group.bench_function("sincos", |b| b.iter(|| black_box(0.7_f64).sin_cos()));
-    group.bench_function("formula", |b| b.iter(|| black_box(&pair).product(Passage::by_formula)));
+    group.bench_function("formula", |b| b.iter(|| black_box(&pair).by_formula()));
     group.bench_function("trace-22", |b| b.iter(|| black_box(&pair).trace_by_formula()));
     group.bench_function("determinant-23", |b| {
         b.iter(|| black_box(&pair).determinant_by_formula())

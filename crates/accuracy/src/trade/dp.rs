@@ -141,7 +141,7 @@ impl<T: Analytic> Input<T> {
             (Method::Formula, Quantity::Determinant) => {
                 return Ok(scalar(pair.determinant_by_formula()?));
             }
-            (Method::Formula | Method::Product, _) => pair.product(Passage::by_formula)?,
+            (Method::Formula | Method::Product, _) => pair.by_formula()?,
             (Method::Dual, _) => pair.product(Passage::by_duals)?,
             (Method::Difference(order, None), _) => pair.product(|passage| passage.by_differences(order))?,
             (Method::Difference(order, Some(step)), _) => {

@@ -2,6 +2,7 @@
 //!
 //! The three ways share the flight and nothing else: the closed form is never seen by the other two.
 
+use super::ahead::Forced;
 use super::flight::Impact;
 use super::flight::{Flight, FlightError, State};
 use super::forcing::Forcing;
@@ -123,16 +124,20 @@ impl<T: Analytic> Passage<T> {
     /// # Errors
     /// `Grazing` where the denominator is exactly 0.
     pub fn by_formula(&self) -> Result<Matrix2<T>, JacobianError> {
+        self.entries(&self.forcing.at(&self.impact.time), &self.forcing.at(&self.end()))
+    }
+
+    /// As [`Passage::by_formula`], with the forcing at the start and at the end.
+    pub(super) fn entries(&self, start: &Forced<T>, end: &Forced<T>) -> Result<Matrix2<T>, JacobianError> {
         let g = || self.motion.g().clone();
         let duration = || self.duration.clone();
         let r = || self.r();
-        let (start, end) = (self.forcing.at(&self.impact.time), self.forcing.at(&self.end()));
         let momentum = r() * self.impact.velocity.clone() - g() * duration();
-        let below = not_zero(momentum.clone() - end.f1 + start.f1)?;
+        let below = not_zero(momentum.clone() - end.f1.clone() + start.f1.clone())?;
         let time_by_time = (momentum - start.f.clone() * duration()) / below.clone();
         let time_by_velocity = -(r() * duration()) / below;
-        let push = end.f + g();
-        let velocity_by_time = time_by_time.clone() * push.clone() - (start.f + g());
+        let push = end.f.clone() + g();
+        let velocity_by_time = time_by_time.clone() * push.clone() - (start.f.clone() + g());
         let velocity_by_velocity = time_by_velocity.clone() * push - r();
         Ok(Matrix2::new(
             time_by_time,
