@@ -5,5 +5,6 @@ pub(crate) mod coefficient;
 pub(crate) mod curve_system;
 pub(crate) mod follow;
 pub(crate) mod one_one_curves;
+pub(crate) mod queue;
 pub(crate) mod special_points;
 pub(crate) mod word_curves;

@@ -10,6 +10,7 @@ use crate::orbit::continuation::extended_system::{ExtendedSystem, parameter_at, 
 use crate::orbit::continuation::segment::CertifiedSegment;
 use crate::orbit::continuation::test_functions::{TestFunctions, WALLS};
 use crate::orbit::curves::follow::CurvePoint;
+use crate::orbit::curves::queue::{CurveQueue, PlaneCurves, ROOM, Start, scanned_lines};
 use crate::orbit::curves::special_points::SpecialPoint;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::equations::duals::rows_by_duals;
@@ -21,15 +22,8 @@ use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::word::Word;
 use crate::orbit::word_branches::WordBranches;
 use numbers::{Analytic, Interval};
-use std::collections::VecDeque;
 use std::f64::consts::PI;
 use std::ops::Range;
-
-/// A bifurcation on a line is known to this, in radians, times and parts of a range.
-const ROOM: f64 = 1e-9;
-
-/// Newton's method may not lead farther than this from one.
-const NEAR: f64 = 1e-4;
 
 /// The motions of a plane of parameters along one of them.
 struct Along<'a, P> {
@@ -235,13 +229,6 @@ impl<P: ParameterPlane> Continued for WordCurve<'_, P> {
     }
 }
 
-/// A bifurcation on a line, from which its curve is followed.
-struct Start {
-    condition: BifurcationCondition,
-    point: Vec<f64>,
-    found: CurvePoint,
-}
-
 /// The curves of folds, period doublings and grazings of motions of a word that take so many periods, one after the
 /// other, computed as they are asked for.
 ///
@@ -250,13 +237,17 @@ struct Start {
 /// no curve that is known. Each point is proved by itself, with one of the parameters held, and from each to the next
 /// it is proved that one curve leads there. Special points between the steps are not looked for. **Completeness is not
 /// claimed**: a branch on a line may be missed, and a closed curve between the lines is not seen.
-pub struct WordCurves<P> {
+pub struct WordCurves<P: ParameterPlane> {
+    curves: CurvesOfWord<P>,
+    queue: CurveQueue<CurvesOfWord<P>>,
+}
+
+/// The equations of the curves of one word.
+struct CurvesOfWord<P> {
     plane: P,
     word: Word,
     periods: u32,
     options: OrbitOptions,
-    starts: VecDeque<Start>,
-    known: Vec<(BifurcationCondition, Branch)>,
 }
 
 impl<P: ParameterPlane> WordCurves<P> {
@@ -265,34 +256,34 @@ impl<P: ParameterPlane> WordCurves<P> {
     /// # Errors
     /// A parameter out of its range; `NoTop` for a word with T of motions with one wall.
     pub fn new(plane: P, word: &Word, periods: u32, lines: u32, options: &OrbitOptions) -> Result<Self, MotionError> {
-        let mut scanned: Vec<(usize, u32)> = Vec::new();
-        for index in [0, lines].into_iter().chain(1..lines) {
-            scanned.extend([(0, index), (1, index)]);
-        }
+        let scanned = scanned_lines(lines);
         let found = each(&scanned, |(held, index)| {
             let (line, value) = plane.line(*held, *index, lines);
             let branches = WordBranches::new(line, word, periods, plane.ranges()[1 - held], options)?;
             Ok::<_, MotionError>((value, branches.bifurcations()))
         });
         let mut curves = Self {
-            plane,
-            word: word.spelled(),
-            periods,
-            options: *options,
-            starts: VecDeque::new(),
-            known: Vec::new(),
+            curves: CurvesOfWord {
+                plane,
+                word: word.spelled(),
+                periods,
+                options: *options,
+            },
+            queue: CurveQueue::new(),
         };
         for ((held, _), found) in scanned.into_iter().zip(found) {
             let (value, events) = found?;
             for event in events {
-                curves.starts.extend(curves.start(event, held, value));
+                curves.queue.starts.extend(curves.curves.start(event, held, value));
             }
         }
         Ok(curves)
     }
+}
 
+impl<P: ParameterPlane> CurvesOfWord<P> {
     /// Returns the point of a curve that a bifurcation is, for those of the word itself whose curves are followed.
-    fn start(&self, event: BifurcationPoint, held: usize, value: f64) -> Option<Start> {
+    fn start(&self, event: BifurcationPoint, held: usize, value: f64) -> Option<Start<Self>> {
         let (word, mut point) = event.listed()?;
         let is_twice = event.kind == BifurcationKind::PeriodDoubling && event.trace > 0.0;
         if word != self.word || is_twice || event.times.contains(&0.0) {
@@ -305,7 +296,7 @@ impl<P: ParameterPlane> WordCurves<P> {
         };
         let ranges = self.plane.ranges();
         point.extend((0..2).map(|i| place_of(&ranges[i], parameters[i])));
-        let curve = self.curve(BifurcationCondition::MultiplierOne);
+        let curve = self.curve(&BifurcationCondition::MultiplierOne);
         let functions = curve.functions(&point)?;
         let condition = match event.kind {
             BifurcationKind::PeriodDoubling => BifurcationCondition::MultiplierMinusOne,
@@ -333,38 +324,37 @@ impl<P: ParameterPlane> WordCurves<P> {
         Some(Start {
             condition,
             point,
-            found,
+            lost: found,
         })
     }
+}
 
-    fn curve(&self, condition: BifurcationCondition) -> WordCurve<'_, P> {
+impl<P: ParameterPlane> PlaneCurves for CurvesOfWord<P> {
+    type Condition = BifurcationCondition;
+    type Functions = TestFunctions;
+    type Curve<'a>
+        = WordCurve<'a, P>
+    where
+        P: 'a;
+    /// The bifurcation itself.
+    type Lost = CurvePoint;
+
+    fn curve(&self, condition: &BifurcationCondition) -> WordCurve<'_, P> {
         WordCurve {
             plane: &self.plane,
             word: self.word.clone(),
             periods: self.periods,
-            condition,
+            condition: *condition,
             options: self.options,
         }
     }
 
-    /// Follows the curve through a start; `None` where no curve is found there.
-    fn follow(&self, start: &Start) -> Option<Branch> {
-        let curve = self.curve(start.condition);
-        let at = &start.point;
-        // the line is held, so that a point on a side of the rectangle is exactly on it
-        let side = curve.places().find(|i| at[*i] < ROOM || at[*i] > 1.0 - ROOM);
-        let (mut point, moved) = match side {
-            Some(i) => curve.solved_at(at, i, at[i].round())?,
-            None => {
-                let tangent = curve.first_tangent(at)?;
-                let offset = at.iter().zip(&tangent).map(|(at, part)| at * part).sum();
-                curve.corrected(at, &tangent, offset)?
-            }
-        };
-        for i in curve.places() {
-            point[i] = point[i].clamp(0.0, 1.0);
-        }
-        (moved < NEAR).then(|| Branch::through(&curve, point))?
+    fn points(&self, condition: &BifurcationCondition, branch: &Branch) -> Vec<CurvePoint> {
+        self.curve(condition).points(branch)
+    }
+
+    fn lost(&self, start: &Start<Self>) -> Vec<CurvePoint> {
+        vec![start.lost.clone()]
     }
 }
 
@@ -385,22 +375,6 @@ impl<P: ParameterPlane> Iterator for WordCurves<P> {
     type Item = Vec<CurvePoint>;
 
     fn next(&mut self) -> Option<Vec<CurvePoint>> {
-        loop {
-            let start = self.starts.pop_front()?;
-            let curve = self.curve(start.condition);
-            let mut own = self.known.iter().filter(|(known, _)| *known == start.condition);
-            if own.any(|(_, branch)| branch.holds(&curve, &start.point, ROOM)) {
-                continue;
-            }
-            let Some(branch) = self.follow(&start) else {
-                return Some(vec![start.found]);
-            };
-            let mut points = curve.points(&branch);
-            if points.is_empty() {
-                points.push(start.found);
-            }
-            self.known.push((start.condition, branch));
-            return Some(points);
-        }
+        self.queue.next(&self.curves)
     }
 }
