@@ -68,7 +68,7 @@ assumptions hold and everything written in premises and claim is defined. Symbol
   unread     The formula, or a name in it, cannot be read: `place` and `reason` say where and why.
 A document without comments has two more, and none is refuted or expected:
   given      A definition, or a law that does not follow from what stands before it.
-  suspect    The link of a chain fails, and a small repair makes it provable. Exit status 1.
+  suspect    An equation, mostly a link of a chain, fails, and a small repair makes it provable. Exit 1.
 Exit status: 0 all as expected; 1 a verdict is not, or evidence speaks against one; 2 unread.";
 
 /// A sheet to start from.

@@ -22,7 +22,7 @@ use crate::scene::{BoxChoice, LocalChoice, Over, Scene, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Stop when the maximum is proved to be within this fraction of the best voltage found
+    /// Stop when the maximum is proved to be within this fraction of its upper bound
     #[arg(long, value_name = "PART", default_value_t = GAP, value_parser = gap)]
     gap: f64,
     /// Search up to N times as many boxes

@@ -124,11 +124,13 @@ fn tell<N: Told>(word: &Word, found: &FoundOrbits<N>) {
     for open in &found.open {
         note(&open.to_string());
     }
-    if found.orbits.is_empty() && found.open.is_empty() {
-        note(&format!("no motion {word}"));
-    }
-    if !found.is_covered() {
-        note(&format!("{word}: motions that many starts lead to; there may be more"));
+    match (found.orbits.is_empty() && found.open.is_empty(), found.is_covered()) {
+        (true, true) => note(&format!("no motion {word}")),
+        (true, false) => note(&format!(
+            "{word}: many starts lead to none; that there is none is not proved"
+        )),
+        (false, false) => note(&format!("{word}: motions that many starts lead to; there may be more")),
+        (false, true) => {}
     }
     let unbounded = found.orbits.iter().filter(|orbit| orbit.error_bound.is_none()).count();
     if unbounded > 0 {

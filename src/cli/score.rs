@@ -28,8 +28,8 @@ pub struct Arguments {
     /// A program that answers
     #[arg(long, value_name = "CMD")]
     exec: Option<String>,
-    /// The tolerances it is run at
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_values = ["1e-3", "1e-6", "1e-9", "1e-12"], value_parser = tolerance, requires = "exec")]
+    /// The tolerances it is run at, between commas
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "1e-3,1e-6,1e-9,1e-12", value_parser = tolerance, requires = "exec")]
     tolerances: Vec<String>,
     /// How long each run may take
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, requires = "exec")]

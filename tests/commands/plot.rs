@@ -223,7 +223,7 @@ fn the_attractors_are_marked_in_their_basins_over_multiples_of_pi() {
     let texts = texts("basins", &svg);
     let wanted = [
         "Attractor reached (B bottom, T top, * rest)",
-        "bottom impacts of each attractor",
+        "bottom impacts of each cycle without rest",
         "1",
         "2",
         "3\u{3c0}/2",

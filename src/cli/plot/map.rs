@@ -91,7 +91,7 @@ pub(super) fn basins(scene: &Scene) -> Result<Vec<Panel>, Failure> {
             name: "attractor reached (B bottom, T top, * rest)".to_owned(),
             words,
         }],
-        marks: ("bottom impacts of each attractor".to_owned(), marks(&all)),
+        marks: ("bottom impacts of each cycle without rest".to_owned(), marks(&all)),
     };
     Ok(heat_map.panels())
 }

@@ -11,8 +11,8 @@ const FONTS: [&[u8]; 3] = [
     include_bytes!("fonts/DejaVuSans-Oblique.ttf"),
 ];
 
-/// Pixels of the image for each pixel of the SVG: 300 dots per inch at 15 cm for two panels side by side.
-const SCALE: f32 = 2.0;
+/// Pixels of the image for each pixel of the SVG: above 300 dots per inch for one column of 8.5 cm.
+const SCALE: f32 = 2.5;
 
 /// Draws an SVG of ours.
 ///
@@ -70,7 +70,7 @@ mod tests {
     fn text_is_drawn_in_fonts_that_need_not_be_installed() {
         let ink = |svg: &str| {
             let image = Pixmap::decode_png(&png(svg).unwrap()).unwrap();
-            assert_eq!((image.width(), image.height()), (120, 40));
+            assert_eq!((image.width(), image.height()), (150, 50));
             image.pixels().iter().filter(|pixel| pixel.red() < 128).count()
         };
         assert_eq!(ink(&text("")), 0);
