@@ -268,9 +268,9 @@ fn a_png_is_what_its_name_says_and_a_narrow_figure_has_its_panels_below_each_oth
     assert!(plotted(&["fig12", "--out", &file]).is_empty());
     let bytes = fs::read(&file).unwrap();
     assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n"));
-    // two pixels for each of the SVG
+    // five pixels for two of the SVG
     let side = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
-    assert_eq!(side(16), 1800);
+    assert_eq!(side(16), 2250);
     let narrow = plotted(&["fig12", "--narrow"]);
     let document = Document::parse(&narrow).unwrap();
     let [width, height] =

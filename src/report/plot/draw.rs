@@ -57,20 +57,36 @@ struct Frame<'a, 'b, F> {
     map: F,
 }
 
-/// Draws a panel of a size in pixels with its upper left corner at a point of the grid.
+/// The width in pixels of the widest text.
+fn widest(ticks: &[Tick]) -> f64 {
+    ticks.iter().map(|tick| width(&tick.1)).fold(0.0, f64::max) * TICK_FONT
+}
+
+/// The ticks of the y axis of a panel so many pixels high.
+fn y_ticks(panel: &Panel, high: f64) -> (Span, Vec<Tick>) {
+    let y = span(panel, &panel.y.range, |point| point.1);
+    let ticks = panel.y.ticks.over(&y, ((high - HEADING - BOTTOM) / Y_ROOM) as usize);
+    (y, ticks)
+}
+
+/// The room in pixels that a panel needs at the left of its frame.
+pub(super) fn beside(panel: &Panel, high: f64) -> f64 {
+    BESIDE + widest(&y_ticks(panel, high).1)
+}
+
+/// Draws a panel of a size in pixels with its upper left corner at a point of the grid, and so much room at the left of its
+/// frame.
 pub(super) fn panel(
     area: &Area,
     panel: &Panel,
     (left, top): (i32, i32),
     (wide, high): (f64, f64),
+    beside: f64,
 ) -> Result<(), PlotError> {
     let tenths = |pixels: f64| (pixels * TENTHS).round() as i32;
     let x = span(panel, &panel.x.range, |point| point.0);
-    let y = span(panel, &panel.y.range, |point| point.1);
+    let (y, y_ticks) = y_ticks(panel, high);
     let most = ((high - HEADING - BOTTOM) / Y_ROOM) as usize;
-    let y_ticks = panel.y.ticks.over(&y, most);
-    let widest = |ticks: &[Tick]| ticks.iter().map(|tick| width(&tick.1)).fold(0.0, f64::max) * TICK_FONT;
-    let beside = BESIDE + widest(&y_ticks);
     let bar = panel.bar.as_ref().map(|bar| {
         let span = Span::new(bar.ends.0, bar.ends.1);
         let ticks = Ticks::Decimals.over(&span, most);
@@ -299,11 +315,26 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
         Ok(())
     }
 
+    /// Each stretch of the grid once: the dashes of two lines on each other would fill each other's gaps.
     fn line(&self, points: &[Point], stroke: &Stroke) -> Drawn {
+        let mut known = HashSet::new();
         for piece in clip::pieces(points, &self.x, &self.y) {
             let mut grid: Vec<(i32, i32)> = piece.into_iter().map(&self.map).collect();
             grid.dedup();
-            line(self.area, stroke, &grid)?;
+            let mut drawn = |ends: &[(i32, i32)]| !known.insert((ends[0].min(ends[1]), ends[0].max(ends[1])));
+            let mut part: Vec<(i32, i32)> = grid.first().copied().into_iter().collect();
+            for ends in grid.windows(2) {
+                if drawn(ends) {
+                    if part.len() > 1 {
+                        line(self.area, stroke, &part)?;
+                    }
+                    part.clear();
+                }
+                part.push(ends[1]);
+            }
+            if part.len() > 1 || grid.len() == 1 {
+                line(self.area, stroke, &part)?;
+            }
         }
         Ok(())
     }

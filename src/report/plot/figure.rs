@@ -100,10 +100,14 @@ impl Figure {
             let font: FontDesc = ("sans-serif", title_font * TENTHS).into_font().style(FontStyle::Bold);
             let style = font.color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
             area.draw_text(&self.title, &style, (tenths(size.0 / 2.0), tenths(TITLE / 2.0 + 2.0)))?;
+            // frames below each other begin at one x
+            let own = |panels: &&[Panel], column: usize| panels.get(column).map(|panel| draw::beside(panel, height));
+            let beside = |column| rows.iter().filter_map(|row| own(row, column)).fold(0.0, f64::max);
             for (row, panels) in rows.iter().enumerate() {
                 for (column, panel) in panels.iter().enumerate() {
                     let corner = (width * column as f64, above + height * row as f64);
-                    draw::panel(&area, panel, (tenths(corner.0), tenths(corner.1)), self.panel_size)?;
+                    let corner = (tenths(corner.0), tenths(corner.1));
+                    draw::panel(&area, panel, corner, self.panel_size, beside(column))?;
                 }
             }
             legend.draw(&area, (tenths(MARGIN), tenths(below + APART)))?;
@@ -250,6 +254,37 @@ mod tests {
             .map(|i| (f64::from(i * 7919 % 30_011) / 30_011.0, f64::from(i) / 30_000.0))
             .collect();
         assert!(size(cloud) < 330_000);
+    }
+
+    #[test]
+    fn lines_on_each_other_are_drawn_once_so_that_dashes_stay_dashes() {
+        let size = |points: Vec<Point>| {
+            let mut panel = Panel::new(Axis::over("x", (0.0, 1.0)), Axis::over("y", (0.0, 1.0)));
+            panel.series = vec![Series::line("line", points, THIN)];
+            Figure::new("", vec![panel]).svg().unwrap().len()
+        };
+        let points: Vec<Point> = (0..=10).map(|i| (f64::from(i) / 10.0, 0.5)).collect();
+        let broken = [&points[..], &[(f64::NAN, 0.0)]].concat();
+        // the other one from its middle on, and backwards
+        let both = broken.iter().chain(points[4..].iter().rev()).copied().collect();
+        assert_eq!(size(both), size(points));
+    }
+
+    #[test]
+    fn frames_below_each_other_begin_at_one_x() {
+        let panel = |most: f64| Panel::new(Axis::over("x", (0.0, 1.0)), Axis::over("y", (0.0, most)));
+        let mut figure = Figure::new("", vec![panel(1.0), panel(1e-7)]);
+        figure.columns = 1;
+        let svg = figure.svg().unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        // the numbers of the y axes end at their ticks
+        let numbers = document
+            .descendants()
+            .filter(|node| node.attribute("text-anchor") == Some("end"));
+        let mut ends: Vec<&str> = numbers.filter_map(|node| node.attribute("x")).collect();
+        assert!(ends.len() > 4);
+        ends.dedup();
+        assert_eq!(ends.len(), 1);
     }
 
     #[test]
