@@ -38,10 +38,18 @@ impl Eq for Exactly {}
 impl From<Rational> for Exactly {
     fn from(value: Rational) -> Self {
         let nearest = value.0.to_f64().value();
-        let lacking = RBig::try_from(nearest).map_or(0.0, |near| (&value.0 - near).to_f64().value());
-        let slack = (lacking.abs() * f64::EPSILON).next_up();
-        let rest = if lacking == 0.0 { [0.0; 2] } else { [lacking, slack] };
-        Self { value, nearest, rest }
+        let lacks = |from: &RBig, part: f64| RBig::try_from(part).map_or(RBig::ZERO, |part| from - part);
+        let lacking = lacks(&value.0, nearest);
+        let second = lacking.to_f64().value();
+        let slack = match lacks(&lacking, second) {
+            left if left.is_zero() => 0.0,
+            _ => (second.abs() * f64::EPSILON).next_up(),
+        };
+        Self {
+            value,
+            nearest,
+            rest: [second, slack],
+        }
     }
 }
 
@@ -54,7 +62,11 @@ impl Exactly {
             return T::from_f64(self.nearest);
         }
         if T::epsilon().to_f64() > SHORT {
-            return T::from_f64(self.nearest) + (T::from_f64(lacking) + T::from_f64(slack) * T::unit());
+            let rest = match slack == 0.0 {
+                true => T::from_f64(lacking),
+                false => T::from_f64(lacking) + T::from_f64(slack) * T::unit(),
+            };
+            return T::from_f64(self.nearest) + rest;
         }
         let lacking = RBig::try_from(self.nearest).map(|near| Rational(&self.value.0 - near));
         let lacking = lacking.ok().and_then(|lacking| lacking.embed::<T>());
