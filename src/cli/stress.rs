@@ -98,7 +98,7 @@ fn curve(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let drawing = options.beside(arguments.plot.as_ref())?;
     let rows = curves(arguments.case.as_deref())?;
     if let Some(output) = drawing {
-        let image = extremes(&rows).bytes(arguments.plot.as_deref())?;
+        let image = extremes(&rows).bytes(output.path())?;
         output.write(|out| out.write_all(&image))?;
     }
     let is_text = options.format == Format::Text;

@@ -9,7 +9,7 @@ pub struct Parameter {
     pub label: String,
     /// The ends of the sweep, in either order.
     pub ends: (f64, f64),
-    /// How its values are written.
+    /// The form of its numbers.
     pub ticks: Ticks,
 }
 

@@ -8,9 +8,9 @@ pub enum Colour {
     Black,
     /// That of the paper, around what stands over other colours.
     White,
-    /// Where there is nothing.
+    /// For places without a value.
     LightGrey,
-    /// What stays in the background.
+    /// For the background.
     Grey,
     DarkGrey,
     Orange,

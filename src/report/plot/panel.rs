@@ -11,7 +11,7 @@ pub struct Axis {
     pub label: String,
     /// From where to where; around all points with a small margin where nothing is said.
     pub range: Option<(f64, f64)>,
-    /// How its numbers are written.
+    /// The form of its numbers.
     pub ticks: Ticks,
 }
 
@@ -48,18 +48,18 @@ pub struct Panel {
     pub x: Axis,
     pub y: Axis,
     pub series: Vec<Series>,
-    /// What the colours of its cells mean, at the right of the frame.
+    /// The key to the colours of its cells, at the right of the frame.
     pub bar: Option<ColourBar>,
 }
 
 /// A scale of colours in equal steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColourBar {
-    /// What the colours measure, with the unit.
+    /// The quantity, with its unit.
     pub label: String,
-    /// Where the first step begins and the last one ends.
+    /// The beginning of the first step and the end of the last one.
     pub ends: (f64, f64),
-    /// Of the steps, from the least on.
+    /// The colours of the steps, from the least on.
     pub colours: Vec<Colour>,
 }
 

@@ -9,7 +9,7 @@ const SMALL: f64 = 0.72;
 const LOWERED: f64 = 0.22;
 const RAISED: f64 = 0.38;
 
-/// Where a part of a text stands.
+/// The height of a part of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::report) enum Level {
     Line,

@@ -3,7 +3,7 @@
 use super::span::Span;
 use std::f64::consts::PI;
 
-/// How the numbers of an axis are written.
+/// The form of the numbers of an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Ticks {
     /// Decimals: 1, 2 or 5 times a power of ten apart.
@@ -69,7 +69,7 @@ fn multiples(span: &Span, step: f64) -> impl Iterator<Item = f64> + use<> {
     (0..=count).map(move |number| first + f64::from(number))
 }
 
-/// As many decimals as the step has, no more.
+/// Returns the text of a tick, with as many decimals as the step has.
 fn label(value: f64, power: i32) -> String {
     // -0 is 0
     let value = if value == 0.0 { 0.0 } else { value };

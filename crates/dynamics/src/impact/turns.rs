@@ -44,6 +44,16 @@ pub(super) struct SignChanges {
 }
 
 impl SignChanges {
+    /// Finds those of numbers of another type, each within the interval that `around` gives.
+    pub fn around<T: Analytic>(drive: &[Harmonic<T>], g: &T, around: impl Fn(&T) -> Interval<f64>) -> Self {
+        let harmonics = drive.iter().map(|harmonic| Harmonic {
+            order: harmonic.order,
+            cosine: around(&harmonic.cosine),
+            sine: around(&harmonic.sine),
+        });
+        Self::new(&harmonics.collect::<Vec<_>>(), &around(g))
+    }
+
     /// By halving cells of a period until f + g, or its derivative, has one sign on each.
     pub fn new(harmonics: &[Harmonic<Interval<f64>>], g: &Interval<f64>) -> Self {
         let highest = harmonics.iter().map(|harmonic| harmonic.order).max().unwrap_or(1) as f64;
@@ -118,15 +128,7 @@ pub(super) fn enclosed<E: Endpoint>(
     drive: &[Harmonic<Interval<E>>],
     g: &Interval<E>,
 ) -> Option<Vec<(Interval<E>, bool)>> {
-    let harmonics: Vec<_> = drive
-        .iter()
-        .map(|harmonic| Harmonic {
-            order: harmonic.order,
-            cosine: around(&harmonic.cosine),
-            sine: around(&harmonic.sine),
-        })
-        .collect();
-    let changes = SignChanges::new(&harmonics, &around(g));
+    let changes = SignChanges::around(drive, g, around);
     if !changes.proved {
         return None;
     }
@@ -200,15 +202,7 @@ pub(super) fn zeros<T: Analytic>(drive: &[Harmonic<T>], g: &T) -> Vec<(T, bool)>
         let value = value.to_f64();
         Interval::new(value.next_down(), value.next_up())
     };
-    let harmonics: Vec<_> = drive
-        .iter()
-        .map(|harmonic| Harmonic {
-            order: harmonic.order,
-            cosine: around(&harmonic.cosine),
-            sine: around(&harmonic.sine),
-        })
-        .collect();
-    let changes = SignChanges::new(&harmonics, &around(g));
+    let changes = SignChanges::around(drive, g, around);
     let size = drive
         .iter()
         .map(|harmonic| harmonic.cosine.to_f64().abs() + harmonic.sine.to_f64().abs());

@@ -127,7 +127,7 @@ impl<T: Analytic> Passage<T> {
         self.entries(&self.forcing.at(&self.impact.time), &self.forcing.at(&self.end()))
     }
 
-    /// As [`Passage::by_formula`], with the forcing at the start and at the end.
+    /// Computes [`Passage::by_formula`] from the forcing at the start and at the end.
     pub(super) fn entries(&self, start: &Forced<T>, end: &Forced<T>) -> Result<Matrix2<T>, JacobianError> {
         let g = || self.motion.g().clone();
         let duration = || self.duration.clone();

@@ -11,7 +11,7 @@ pub(super) struct Key {
     pub section: &'static str,
     pub name: &'static str,
     pub allowed: Allowed,
-    /// What it is.
+    /// The meaning in words.
     pub meaning: &'static str,
     /// Its unit; empty for what has none.
     pub unit: &'static str,
@@ -327,7 +327,7 @@ impl Key {
         }
     }
 
-    /// What it is, with its unit.
+    /// Returns the meaning with the unit.
     pub fn described(&self) -> String {
         match self.unit {
             "" => self.meaning.to_owned(),
@@ -335,7 +335,7 @@ impl Key {
         }
     }
 
-    /// What it is, with its unit or the texts that it may have.
+    /// Returns the meaning with the unit or the texts that are allowed.
     pub fn asked(&self) -> String {
         match self.allowed {
             Allowed::Names | Allowed::OneOf(_) | Allowed::Parameter => format!("{}: {}", self.meaning, self.range()),
@@ -343,7 +343,7 @@ impl Key {
         }
     }
 
-    /// Which values it may have, in words.
+    /// Returns the allowed values in words.
     pub fn range(&self) -> String {
         match (self.allowed, self.section, self.name) {
             (Allowed::Names, "", "want") => format!("some of {}", Want::ALL.map(Want::name).join(", ")),
@@ -425,7 +425,7 @@ pub(super) fn did_you_mean(meant: Option<&str>) -> String {
 }
 
 impl Allowed {
-    /// What is allowed, in words.
+    /// Returns the allowed values in words.
     pub fn in_words(self) -> String {
         match self {
             Self::Text => "text between quotes".to_owned(),

@@ -57,7 +57,7 @@ impl Exactly {
     /// The value over `T`: the nearest f64, and what it lacks. One division of large integers would round three times.
     fn over<T: Analytic>(&self) -> T {
         let [lacking, slack] = self.rest;
-        if lacking == 0.0 {
+        if self.rest == [0.0; 2] {
             // nothing to add: an interval stays a point, and a restitution of 1 stays 1
             return T::from_f64(self.nearest);
         }
@@ -101,7 +101,7 @@ const MOST_DIGITS: usize = 100;
 /// The largest power of ten a number may have.
 const LARGEST_EXPONENT: usize = 100;
 
-/// Of numbers with a larger epsilon two f64 give every digit.
+/// Two f64 give every digit of a number type with an epsilon above this.
 const SHORT: f64 = 1e-17;
 
 /// Digits in which a sum of both parts is compared with 0: more than a typed number can cancel by accident.

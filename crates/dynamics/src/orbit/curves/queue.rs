@@ -14,15 +14,15 @@ const NEAR: f64 = 1e-4;
 
 /// The curves of one kind of motions over a plane of parameters.
 pub(crate) trait PlaneCurves: Sync {
-    /// What holds on a curve.
+    /// The condition that holds on a curve.
     type Condition: PartialEq + Sync;
-    /// What is looked at along it.
+    /// The test functions along it.
     type Functions: Clone + Send + Sync;
     /// Its equations.
     type Curve<'a>: Continued<Functions = Self::Functions>
     where
         Self: 'a;
-    /// What is reported of a bifurcation whose curve cannot be followed.
+    /// The data for the row of a bifurcation whose curve cannot be followed.
     type Lost: Sync;
 
     /// The equations of the curves on which a condition holds.
@@ -64,7 +64,7 @@ impl<C: PlaneCurves> CurveQueue<C> {
 
     /// The points of the next curve; of one that cannot be followed, the start.
     ///
-    /// As many starts as there are threads are followed at once. One that turns out to lie on the curve of another is
+    /// Follows as many starts at once as there are threads. One that turns out to lie on the curve of another is
     /// dropped, so that what comes out does not depend on their number.
     pub fn next(&mut self, curves: &C) -> Option<Vec<CurvePoint>> {
         while self.ready.is_empty() {

@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 /// The values of `D` equations at a point, and their derivatives, one row an equation.
 pub type Linearised<T, const D: usize> = ([T; D], [[T; D]; D]);
 
-/// How many derivatives one pass takes: one number of them for all systems, so that their equations are compiled once.
+/// The number of derivatives that one pass takes: the same for all systems, so that their equations are compiled once.
 pub const LANES: usize = 4;
 
 /// The values of `equations` at a point, or over a box, and their derivatives; `None` where they have none.

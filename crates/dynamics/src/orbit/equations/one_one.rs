@@ -230,7 +230,7 @@ impl<T: Analytic> OneOneEquations<T> {
         self.velocities_at(&self.parts(t_1, middle))
     }
 
-    /// As [`OneOneEquations::velocities`].
+    /// Computes [`OneOneEquations::velocities`] from shared terms.
     pub fn velocities_at(&self, at: &SharedTerms<T>) -> [T; 2] {
         let scale = self.scale.clone() * at.t_1.clone();
         self.scaled_velocities_at(at).map(|scaled| scaled / scale.clone())
@@ -242,7 +242,7 @@ impl<T: Analytic> OneOneEquations<T> {
         [middle.clone() - half.clone(), middle.clone() + half]
     }
 
-    /// As [`OneOneEquations::phases`].
+    /// Computes [`OneOneEquations::phases`] from shared terms.
     pub fn phases_at(&self, at: &SharedTerms<T>) -> [T; 2] {
         self.phases(&at.t_1, &at.phase)
     }
@@ -276,7 +276,7 @@ impl<T: Analytic> OneOneEquations<T> {
         self.trace_above_at(level, &self.parts(t_1, middle))
     }
 
-    /// As [`OneOneEquations::trace_above`].
+    /// Computes [`OneOneEquations::trace_above`] from shared terms.
     pub fn trace_above_at(&self, level: &T, at: &SharedTerms<T>) -> T {
         let [v, w] = self.scaled_velocities_at(at);
         let scale = self.scale.clone() * at.t_1.clone();

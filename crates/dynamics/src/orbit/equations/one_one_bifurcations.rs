@@ -102,7 +102,7 @@ where
         self.wanted(cell).is_ok()
     }
 
-    /// What costs least comes first, and all values share the sines of the box.
+    /// Evaluates the cheapest values first; all share the sines of the box.
     fn examined(&self, cell: &IntervalBox<E, D>) -> Result<[IntervalBox<E, D>; D], Decision> {
         if let Some((balance, at)) = self.wanted(cell)? {
             not_excluded(&balance.residual_at(&at))?;

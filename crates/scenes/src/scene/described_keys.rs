@@ -3,7 +3,7 @@
 use super::key::{self, Key};
 use super::{Scene, SceneError, Want};
 
-/// What a reader is told of a key.
+/// The description of a key for a reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KeyDescription {
     /// Its section; empty above the sections.
@@ -12,9 +12,9 @@ pub struct KeyDescription {
     pub meaning: &'static str,
     /// Empty for what has none.
     pub unit: &'static str,
-    /// Which values it may have, in words.
+    /// The allowed values in words.
     pub range: String,
-    /// What it is where it is not given; none where it is required, by every want that reads it or by one of them.
+    /// The default; none where the key is required, by every want that reads it or by one of them.
     pub default: Option<String>,
     /// A value, as TOML has it.
     pub example: &'static str,
